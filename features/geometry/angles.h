@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace lineservo::features {
+
+inline constexpr double kPi = std::numbers::pi;
+
+constexpr double radians(double degrees) {
+  return degrees * kPi / 180.0;
+}
+constexpr double degrees(double radians) {
+  return radians * 180.0 / kPi;
+}
+
+/// The angle brought into (−π, π].
+inline double wrap_angle(double angle_rad) {
+  const double wrapped = std::remainder(angle_rad, 2.0 * kPi);
+  return wrapped <= -kPi ? wrapped + 2.0 * kPi : wrapped;
+}
+
+}  // namespace lineservo::features

@@ -1,0 +1,47 @@
+#include "features/geometry/camera_model.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace lineservo::features {
+namespace {
+
+CameraParameters distorted() {
+  CameraParameters p;
+  p.distortion = {-0.25, 0.08, 0.001, -0.0007, -0.01};
+  return p;
+}
+
+TEST(CameraModel, DefaultIsTheTopologyCamera) {
+  const CameraModel camera{CameraParameters{}};
+  const NormalizedPoint corner = camera.normalize({-0.5, -0.5});
+  EXPECT_DOUBLE_EQ(corner.x, -1.0);  // 320 px of half width over f = 320 px
+  EXPECT_DOUBLE_EQ(corner.y, -0.75);
+}
+
+TEST(CameraModel, NormalizeInvertsProjectAcrossTheWholeImage) {
+  const CameraModel camera{distorted()};
+  for (double y = 0; y < 480; y += 37) {
+    for (double x = 0; x < 640; x += 41) {
+      const PixelPoint back = camera.project(camera.normalize({x, y}));
+      EXPECT_NEAR(back.x, x, 1e-9);
+      EXPECT_NEAR(back.y, y, 1e-9);
+    }
+  }
+}
+
+TEST(CameraModel, RefusesEveryBadValueAtOnce) {
+  CameraParameters p;
+  p.width_px = 0;
+  p.fx_px = -1.0;
+  try {
+    CameraModel{p};
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "camera: width must be 16 to 16384 px; fx must be positive");
+  }
+}
+
+}  // namespace
+}  // namespace lineservo::features

@@ -1,0 +1,1 @@
+#include "vehicle/floor/curve.h"

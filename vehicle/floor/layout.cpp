@@ -1,0 +1,1 @@
+#include "vehicle/floor/layout.h"
