@@ -1,0 +1,258 @@
+#include "servo/executive/executive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "features/geometry/angles.h"
+#include "servo/law/height_rate.h"
+
+namespace lineservo::servo {
+namespace {
+
+using features::FrameFeatures;
+using features::LineFeature;
+
+constexpr double kNewLine_rad =
+    features::radians(25.0);  // how near its heading a turn takes a line for the next edge
+
+/// The line whose angle (mod π) is nearest to a given one, if within the bound.
+const LineFeature* nearest_line(const std::vector<LineFeature>& lines, double theta_rad, double bound_rad) {
+  const LineFeature* best = nullptr;
+  for (const LineFeature& line : lines) {
+    const double off_rad = std::abs(std::remainder(line.theta_rad - theta_rad, features::kPi));
+    if (off_rad < bound_rad) {
+      bound_rad = off_rad;
+      best = &line;
+    }
+  }
+  return best;
+}
+
+/// Where the frame shows the node that the step expects: the junction's centre, or a dead end's end.
+std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step) {
+  if (o.features.junction) return floor_point_m(o.features.junction->centre, o.capture_height_m);
+  const bool dead_end =
+      step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
+  if (dead_end && o.features.line() && o.features.code.line_ends_ahead) {
+    return floor_point_m(o.features.line()->end, o.capture_height_m);
+  }
+  return std::nullopt;
+}
+
+bool tracks_node(Phase phase) {
+  return phase == Phase::dock || phase == Phase::turn || phase == Phase::hover;
+}
+
+}  // namespace
+
+Executive::Executive(Plan plan, std::unique_ptr<FollowLaw> law, bool servos_on_node,
+                     const ExecutiveOptions& options)
+    : plan_(std::move(plan)),
+      law_(std::move(law)),
+      servos_on_node_(servos_on_node),
+      options_(options),
+      dock_law_(options.dock),
+      matcher_(options.confirm_frames),
+      tracker_(options.tracker) {}
+
+Command Executive::tick(const Observation& observation, bool on_ground) {
+  observe(observation);
+  const Situation situation = assess(observation, on_ground);
+  const Phase decided = next(phase_, situation, options_.phases);
+  if (decided == Phase::aborted && phase_ != Phase::aborted) {
+    abort_reason_ = servo::abort_reason(phase_, situation, options_.phases);
+  }
+  if (node_ && phase_ == Phase::follow && decided != Phase::aborted) pass_node();
+  if (decided != phase_) enter(decided, observation);
+  const double dt_s = last_tick_ ? seconds(observation.now - *last_tick_) : 0.0;
+  last_tick_ = observation.now;
+  return shape(command(observation), dt_s);
+}
+
+void Executive::observe(const Observation& observation) {
+  const FrameFeatures& seen = observation.features;
+  if (const LineFeature* line = seen.line()) {
+    const LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
+    line_seen_ = observation.now;
+    line_angle_rad_ = now.theta_rad;
+    line_offset_m_ = now.rho * observation.height_m;
+  } else {
+    line_angle_rad_.reset();
+    line_offset_m_.reset();
+  }
+  if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.norm();
+  last_odometry_ = observation.odometry_now;
+
+  node_ = phase_ == Phase::follow ? matcher_.update(seen.code) : std::nullopt;
+  if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
+    const auto sighting = node_sighting(observation, current_step());
+    tracker_.observe(observation, sighting);
+    if (sighting && tracks_node(phase_)) dock_law_.observe(observation, *sighting);
+  }
+  if (phase_ == Phase::turn) correct_turn(observation);
+}
+
+Situation Executive::assess(const Observation& observation, bool on_ground) {
+  Situation s;
+  s.phase_s = seconds(observation.now - phase_began_);
+  s.height_m = observation.height_m;
+  s.line_unseen_s = seconds(observation.now - line_seen_);
+  s.line_angle_rad = line_angle_rad_;
+  s.line_offset_m = line_offset_m_;
+  s.travelled_m = travelled_m_;
+  s.step = current_step();
+  s.node = node_;
+  if (const auto node = tracker_.node_now(observation)) s.node_distance_m = node->norm();
+  s.speed_m_s = observation.v_H_m_s.head<2>().norm();
+  s.turn_left_rad = turn_left(observation);
+  s.servos_on_node = servos_on_node_;
+  s.on_ground = on_ground;
+  const bool holds = goal_holds(phase_, s, options_.phases);
+  if (holds && !goal_held_) goal_began_ = observation.now;
+  goal_held_ = holds;
+  s.settled_s = holds ? seconds(observation.now - goal_began_) : 0.0;
+  return s;
+}
+
+void Executive::pass_node() {
+  const PlanStep& step = plan_.steps[step_];
+  report("node", std::string(features::name(node_->code)) + (node_->line_ends ? " (line ends)" : "") + ": " +
+                     std::string(name(step.manoeuvre)) + " at " + step.node);
+  if (step.manoeuvre == Manoeuvre::go_straight) {
+    ++step_;
+    travelled_m_ = 0.0;
+  }
+}
+
+void Executive::enter(Phase phase, const Observation& observation) {
+  if (phase == Phase::turn) {
+    turn_heading_rad_ =
+        observation.odometry_now.yaw_rad + current_step()->turn_rad - line_angle_rad_.value_or(0.0);
+  }
+  if (phase == Phase::dock) dock_law_.reset();
+  if (phase == Phase::follow) {
+    if (phase_ == Phase::turn) ++step_;
+    travelled_m_ = 0.0;
+    law_->reset();
+    matcher_.restart();
+    tracker_.reset();
+  }
+  if (phase == Phase::align) law_->reset();
+  report("phase", std::string(name(phase)) +
+                      (phase == Phase::aborted ? ": " + std::string(name(abort_reason_)) : std::string()));
+  phase_ = phase;
+  phase_began_ = observation.now;
+  goal_held_ = false;
+  line_seen_ = observation.now;
+}
+
+Command Executive::command(const Observation& observation) {
+  switch (phase_) {
+    case Phase::take_off:
+      return climb(observation);
+    case Phase::align:
+      return align(observation);
+    case Phase::follow:
+      return follow(observation);
+    case Phase::dock:
+      return hold_node(observation);
+    case Phase::turn:
+      return turn(observation);
+    case Phase::hover:
+      return servos_on_node_ ? hold_node(observation) : stay(observation);
+    case Phase::aborted:
+      return stay(observation);
+    case Phase::land:
+      return LandCommand{};
+    case Phase::finished:
+      return options_.phases.land ? Command(LandCommand{}) : Command(stay(observation));
+  }
+  return stay(observation);
+}
+
+Command Executive::shape(const Command& command, double dt_s) {
+  const auto* wanted = std::get_if<VelocityCommand>(&command);
+  if (!wanted || !is_finite(command)) {
+    last_command_ = {};
+    return is_finite(command) ? command : Command(VelocityCommand{});
+  }
+  last_command_ = approach(last_command_, saturate(*wanted, options_.limits), options_.limits, dt_s);
+  return last_command_;
+}
+
+VelocityCommand Executive::climb(const Observation& observation) const {
+  return {0.0, 0.0, height_rate(observation.height_m, options_.phases.height_m, 1.5, options_.climb_rate_m_s),
+          0.0};
+}
+
+VelocityCommand Executive::stay(const Observation& observation, double yaw_rate_rad_s) const {
+  return {0.0, 0.0, height_rate(observation.height_m, options_.phases.height_m), yaw_rate_rad_s};
+}
+
+Command Executive::align(const Observation& observation) {
+  if (servos_on_node_) return law_->follow(observation, {0.0, options_.phases.height_m});
+  return stay(observation, turn_rate(-line_angle_rad_.value_or(0.0), options_.turn));
+}
+
+Command Executive::follow(const Observation& observation) {
+  return law_->follow(observation, {approach_speed(observation), options_.phases.height_m});
+}
+
+// Before a node to dock on: v ≤ √(2·a·d), so that the point task takes over with nothing left to brake.
+double Executive::approach_speed(const Observation& observation) const {
+  const PlanStep* step = current_step();
+  const auto node = tracker_.node_now(observation);
+  if (!servos_on_node_ || !step || step->manoeuvre == Manoeuvre::go_straight || !node)
+    return options_.speed_m_s;
+  const double ahead_m = std::max(0.0, node->x());
+  const double braking = std::sqrt(2.0 * options_.approach_deceleration_m_s2 * ahead_m);
+  return std::min(options_.speed_m_s, std::max(braking, options_.approach_speed_m_s));
+}
+
+VelocityCommand Executive::hold_node(const Observation& observation) {
+  const auto node = tracker_.node_now(observation);
+  if (!node) return stay(observation);
+  VelocityCommand c = dock_law_.hold(observation, {*node, line_angle_rad_, 0.0, options_.phases.height_m});
+  CommandLimits limits = options_.limits;
+  limits.horizontal_m_s = std::max(options_.speed_m_s, options_.approach_speed_m_s);
+  return saturate(c, limits);
+}
+
+VelocityCommand Executive::turn(const Observation& observation) {
+  const double rate = turn_rate(turn_left(observation), options_.turn);
+  const auto node = tracker_.node_now(observation);
+  if (!servos_on_node_ || !node) return stay(observation, rate);
+  return dock_law_.hold(observation, {*node, std::nullopt, rate, options_.phases.height_m});
+}
+
+double Executive::turn_left(const Observation& observation) const {
+  return phase_ == Phase::turn ? turn_heading_rad_ - observation.odometry_now.yaw_rad : 0.0;
+}
+
+// The gyro leads the turn; as soon as a line is seen near the heading where the next edge should be, that
+// line's angle decides where the turn ends.
+void Executive::correct_turn(const Observation& observation) {
+  line_angle_rad_.reset();
+  const double left_rad = turn_heading_rad_ - observation.odometry_at_capture.yaw_rad;
+  if (std::abs(left_rad) > kNewLine_rad) return;
+  const LineFeature* line = nearest_line(observation.features.lines, -left_rad, kNewLine_rad);
+  if (!line) return;
+  turn_heading_rad_ =
+      observation.odometry_at_capture.yaw_rad - std::remainder(line->theta_rad, features::kPi);
+  line_angle_rad_ = -turn_left(observation);
+}
+
+const PlanStep* Executive::current_step() const {
+  return step_ < plan_.steps.size() ? &plan_.steps[step_] : nullptr;
+}
+
+void Executive::report(std::string kind, std::string detail) {
+  events_.push_back({std::move(kind), std::move(detail)});
+}
+
+std::vector<ExecutiveEvent> Executive::take_events() {
+  return std::exchange(events_, {});
+}
+
+}  // namespace lineservo::servo

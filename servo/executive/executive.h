@@ -1,0 +1,101 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "servo/executive/junction_matcher.h"
+#include "servo/executive/node_tracker.h"
+#include "servo/executive/phase.h"
+#include "servo/executive/turn_profile.h"
+#include "servo/law/dock_law.h"
+#include "servo/law/follow_law.h"
+#include "servo/law/limits.h"
+#include "servo/plan/plan.h"
+
+namespace lineservo::servo {
+
+struct ExecutiveOptions {
+  double speed_m_s = 0.1;
+  PhaseOptions phases;
+  TurnOptions turn;
+  DockOptions dock;
+  NodeTracker::Options tracker;
+  CommandLimits limits;
+  int confirm_frames = 2;
+  double climb_rate_m_s = 0.4;
+  double approach_deceleration_m_s2 = 0.5;  ///< before a node that is to be docked on
+  double approach_speed_m_s = 0.05;         ///< never slower than this before its code is confirmed
+};
+
+/// Something worth a line in events.csv.
+struct ExecutiveEvent {
+  std::string kind;
+  std::string detail;
+};
+
+/// Carries out a plan: recognises nodes by their codes, chooses the phase, and lets the phase's law speak.
+class Executive {
+ public:
+  /// `servos_on_node`: dock on nodes with the point task; otherwise stop where the code is confirmed.
+  Executive(Plan plan, std::unique_ptr<FollowLaw> law, bool servos_on_node, const ExecutiveOptions& options);
+
+  /// One control tick: observe → assess → decide → command → shape.
+  Command tick(const Observation& observation, bool on_ground);
+
+  Phase phase() const { return phase_; }
+  AbortReason abort_reason() const { return abort_reason_; }
+  /// Index of the plan's step that is expected next or being carried out.
+  std::size_t step() const { return step_; }
+  const Plan& plan() const { return plan_; }
+  /// The events since the last call.
+  std::vector<ExecutiveEvent> take_events();
+
+ private:
+  void observe(const Observation& observation);
+  Situation assess(const Observation& observation, bool on_ground);
+  void enter(Phase phase, const Observation& observation);
+  void pass_node();
+  Command command(const Observation& observation);
+  Command shape(const Command& command, double dt_s);
+
+  VelocityCommand climb(const Observation& observation) const;
+  VelocityCommand stay(const Observation& observation, double yaw_rate_rad_s = 0.0) const;
+  Command align(const Observation& observation);
+  Command follow(const Observation& observation);
+  VelocityCommand hold_node(const Observation& observation);
+  VelocityCommand turn(const Observation& observation);
+
+  double approach_speed(const Observation& observation) const;
+  double turn_left(const Observation& observation) const;
+  void correct_turn(const Observation& observation);
+  const PlanStep* current_step() const;
+  void report(std::string kind, std::string detail);
+
+  Plan plan_;
+  std::unique_ptr<FollowLaw> law_;
+  bool servos_on_node_;
+  ExecutiveOptions options_;
+  DockLaw dock_law_;
+  JunctionMatcher matcher_;
+  NodeTracker tracker_;
+
+  Phase phase_ = Phase::take_off;
+  AbortReason abort_reason_ = AbortReason::none;
+  std::size_t step_ = 0;
+  std::optional<NodeSighting> node_;  ///< told in this tick
+  Time phase_began_{0};
+  Time goal_began_{0};  ///< since when the phase's goal holds
+  bool goal_held_ = false;
+  Time line_seen_{0};
+  std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
+  double travelled_m_ = 0.0;
+  std::optional<Motion> last_odometry_;
+  double turn_heading_rad_ = 0.0;  ///< odometry yaw at which the turn ends
+  VelocityCommand last_command_;
+  std::optional<Time> last_tick_;
+  std::vector<ExecutiveEvent> events_;
+};
+
+}  // namespace lineservo::servo

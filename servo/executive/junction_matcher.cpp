@@ -1,0 +1,48 @@
+#include "servo/executive/junction_matcher.h"
+
+namespace lineservo::servo {
+
+using features::CodeReading;
+using features::JunctionCode;
+
+std::optional<NodeSighting> complete_node(const CodeReading& reading) {
+  switch (reading.smoothed) {
+    case JunctionCode::cross:
+    case JunctionCode::tee_right:
+    case JunctionCode::tee_left:
+      return NodeSighting{reading.smoothed, false};
+    case JunctionCode::tee_ahead:
+    case JunctionCode::corner_right:
+    case JunctionCode::corner_left:
+    case JunctionCode::straight:
+      if (reading.line_ends_ahead) return NodeSighting{reading.smoothed, true};
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_clear(const CodeReading& reading) {
+  return reading.smoothed == JunctionCode::straight && !reading.line_ends_ahead;
+}
+
+void JunctionMatcher::restart() {
+  leaving_ = true;
+  candidate_.reset();
+  candidate_frames_ = 0;
+}
+
+std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading) {
+  if (leaving_) {
+    leaving_ = !is_clear(reading);
+    return std::nullopt;
+  }
+  const std::optional<NodeSighting> seen = complete_node(reading);
+  candidate_frames_ = seen && seen == candidate_ ? candidate_frames_ + 1 : 1;
+  candidate_ = seen;
+  if (!seen || candidate_frames_ < confirm_frames_) return std::nullopt;
+  restart();
+  return seen;
+}
+
+}  // namespace lineservo::servo

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "features/frame_features.h"
+
+namespace lineservo::servo {
+
+/// A node recognised on the way: its code with all arms in view, and whether the line goes on ahead.
+struct NodeSighting {
+  features::JunctionCode code = features::JunctionCode::unrecognised;
+  bool line_ends = false;
+
+  friend bool operator==(const NodeSighting&, const NodeSighting&) = default;
+};
+
+/// Turns the smoothed codes of successive frames into nodes, each told once: decisions hang on transitions,
+/// not on single detections (topology §2.3). What is in view at the start of a leg belongs to the node left
+/// behind.
+class JunctionMatcher {
+ public:
+  /// A node is told when it reads the same in `confirm_frames` frames in a row.
+  explicit JunctionMatcher(int confirm_frames) : confirm_frames_(confirm_frames) {}
+
+  void restart();
+  std::optional<NodeSighting> update(const features::CodeReading& reading);
+  /// The node told last, or the one that the leg started from, is still in view.
+  bool leaving() const { return leaving_; }
+
+ private:
+  int confirm_frames_;
+  bool leaving_ = true;
+  std::optional<NodeSighting> candidate_;
+  int candidate_frames_ = 0;
+};
+
+/// The node that a reading shows with all its arms, or none: ┼, ├ and ┤ by their codes; a corner, a ┬ and a
+/// dead end only when the line is seen to end, because before that a ┼, ├ or ┤ that comes up reads the same.
+std::optional<NodeSighting> complete_node(const features::CodeReading& reading);
+
+/// Plain line and nothing else.
+bool is_clear(const features::CodeReading& reading);
+
+}  // namespace lineservo::servo

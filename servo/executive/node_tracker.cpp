@@ -1,0 +1,26 @@
+#include "servo/executive/node_tracker.h"
+
+namespace lineservo::servo {
+namespace {
+
+Eigen::Vector2d to_origin(const Motion& pose, const Eigen::Vector2d& p_H) {
+  return pose.translation_m + Eigen::Rotation2Dd(pose.yaw_rad) * p_H;
+}
+
+}  // namespace
+
+void NodeTracker::observe(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m) {
+  if (node_O_ && seconds(observation.captured - seen_) > options_.memory_s) node_O_.reset();
+  if (!sighting_m) return;
+  const Eigen::Vector2d sighting_O = to_origin(observation.odometry_at_capture, *sighting_m);
+  if (node_O_ && (sighting_O - *node_O_).norm() > options_.gate_m) return;
+  node_O_ = node_O_ ? Eigen::Vector2d(*node_O_ + options_.weight * (sighting_O - *node_O_)) : sighting_O;
+  seen_ = observation.captured;
+}
+
+std::optional<Eigen::Vector2d> NodeTracker::node_now(const Observation& observation) const {
+  if (!node_O_) return std::nullopt;
+  return after(observation.odometry_now, *node_O_);
+}
+
+}  // namespace lineservo::servo

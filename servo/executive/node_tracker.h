@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "servo/law/observation.h"
+
+namespace lineservo::servo {
+
+/// Follows the centre of one node from frame to frame, over dead reckoning while it is not seen.
+class NodeTracker {
+ public:
+  struct Options {
+    double gate_m = 0.25;   ///< a sighting further from the prediction is another node
+    double memory_s = 1.0;  ///< after which a node that was not seen is forgotten
+    double weight = 0.5;    ///< of a new sighting against the prediction
+  };
+  explicit NodeTracker(const Options& options) : options_(options) {}
+
+  void reset() { node_O_.reset(); }
+  /// A sighting at the frame's capture, heading frame of that instant, metres; none is allowed.
+  void observe(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m);
+  /// The node's centre now, heading frame; none when nothing is tracked.
+  std::optional<Eigen::Vector2d> node_now(const Observation& observation) const;
+
+ private:
+  Options options_;
+  std::optional<Eigen::Vector2d> node_O_;  ///< in the frame where odometry began
+  Time seen_{0};
+};
+
+}  // namespace lineservo::servo

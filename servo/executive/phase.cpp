@@ -1,0 +1,163 @@
+#include "servo/executive/phase.h"
+
+#include <cmath>
+
+namespace lineservo::servo {
+namespace {
+
+bool settled(const Situation& s, const PhaseOptions& o) {
+  return s.settled_s >= o.settle_s;
+}
+
+Phase after_node(const Situation& s) {
+  if (!s.node || !s.step) return Phase::follow;
+  switch (s.step->manoeuvre) {
+    case Manoeuvre::go_straight:
+      return Phase::follow;
+    case Manoeuvre::turn:
+      return s.servos_on_node ? Phase::dock : Phase::turn;
+    case Manoeuvre::hover:
+      return s.servos_on_node ? Phase::dock : Phase::hover;
+  }
+  return Phase::aborted;
+}
+
+Phase after_docking(const Situation& s) {
+  return s.step && s.step->manoeuvre == Manoeuvre::turn ? Phase::turn : Phase::hover;
+}
+
+bool flies(Phase phase) {
+  return phase == Phase::align || phase == Phase::follow;
+}
+
+}  // namespace
+
+std::string_view name(Phase phase) {
+  switch (phase) {
+    case Phase::take_off:
+      return "take-off";
+    case Phase::align:
+      return "align";
+    case Phase::follow:
+      return "follow";
+    case Phase::turn:
+      return "turn";
+    case Phase::dock:
+      return "dock";
+    case Phase::hover:
+      return "hover";
+    case Phase::land:
+      return "land";
+    case Phase::aborted:
+      return "aborted";
+    case Phase::finished:
+      return "finished";
+  }
+  return "?";
+}
+
+std::string_view name(AbortReason reason) {
+  switch (reason) {
+    case AbortReason::none:
+      return "none";
+    case AbortReason::take_off_failed:
+      return "the height was not reached";
+    case AbortReason::line_lost:
+      return "no line in view";
+    case AbortReason::node_lost:
+      return "the node to dock on was lost";
+    case AbortReason::node_overdue:
+      return "the expected code did not come within the possible distance";
+    case AbortReason::node_unexpected:
+      return "a node came that the plan does not expect here";
+    case AbortReason::turn_failed:
+      return "the turn did not end on a line";
+  }
+  return "?";
+}
+
+bool at_height(const Situation& s, const PhaseOptions& o) {
+  return std::abs(s.height_m - o.height_m) < o.height_tolerance_m;
+}
+
+bool aligned(const Situation& s, const PhaseOptions& o) {
+  if (!s.line_angle_rad || std::abs(*s.line_angle_rad) > o.align_angle_rad) return false;
+  return !s.servos_on_node || (s.line_offset_m && std::abs(*s.line_offset_m) < o.align_offset_m);
+}
+
+bool docked(const Situation& s, const PhaseOptions& o) {
+  return s.node_distance_m && *s.node_distance_m < o.dock_distance_m && s.speed_m_s < o.dock_speed_m_s;
+}
+
+bool turned(const Situation& s, const PhaseOptions& o) {
+  return s.line_angle_rad && std::abs(s.turn_left_rad) < o.turn_angle_rad;
+}
+
+bool expected(const NodeSighting& node, const PlanStep& step) {
+  return node.code == step.expected.code && node.line_ends == step.expected.line_ends;
+}
+
+bool overdue(const Situation& s, const PhaseOptions& o) {
+  return s.step && s.travelled_m > s.step->edge_length_m * (1.0 + o.length_tolerance) + o.length_slack_m;
+}
+
+bool too_early(const Situation& s, const PhaseOptions& o) {
+  return s.step && s.travelled_m < s.step->edge_length_m * (1.0 - o.length_tolerance) - o.length_slack_m;
+}
+
+bool goal_holds(Phase phase, const Situation& s, const PhaseOptions& o) {
+  switch (phase) {
+    case Phase::take_off:
+      return at_height(s, o);
+    case Phase::align:
+      return aligned(s, o);
+    case Phase::dock:
+      return docked(s, o);
+    case Phase::turn:
+      return turned(s, o);
+    default:
+      return false;
+  }
+}
+
+AbortReason abort_reason(Phase phase, const Situation& s, const PhaseOptions& o) {
+  if (phase == Phase::take_off && s.phase_s > o.take_off_limit_s) return AbortReason::take_off_failed;
+  if (phase == Phase::align && s.phase_s > o.align_limit_s) return AbortReason::line_lost;
+  if (flies(phase) && s.line_unseen_s > o.line_memory_s) return AbortReason::line_lost;
+  if (phase == Phase::follow && s.node && s.step && (!expected(*s.node, *s.step) || too_early(s, o))) {
+    return AbortReason::node_unexpected;
+  }
+  if (phase == Phase::follow && overdue(s, o)) return AbortReason::node_overdue;
+  if (phase == Phase::dock && (!s.node_distance_m || s.phase_s > o.dock_limit_s))
+    return AbortReason::node_lost;
+  if (phase == Phase::turn && s.phase_s > o.turn_limit_s) return AbortReason::turn_failed;
+  return AbortReason::none;
+}
+
+Phase next(Phase phase, const Situation& s, const PhaseOptions& o) {
+  if (abort_reason(phase, s, o) != AbortReason::none) return Phase::aborted;
+  switch (phase) {
+    case Phase::take_off:
+      return settled(s, o) ? Phase::align : phase;
+    case Phase::align:
+      return settled(s, o) ? Phase::follow : phase;
+    case Phase::follow:
+      return after_node(s);
+    case Phase::dock:
+      return settled(s, o) ? after_docking(s) : phase;
+    case Phase::turn:
+      return settled(s, o) ? Phase::follow : phase;
+    case Phase::hover:
+      if (s.phase_s < o.hover_s) return phase;
+      return o.land ? Phase::land : Phase::finished;
+    case Phase::land:
+      return s.on_ground ? Phase::finished : phase;
+    case Phase::aborted:
+      return s.phase_s < o.abort_hover_s ? phase : Phase::land;
+    case Phase::finished:
+      return phase;
+  }
+  return Phase::aborted;
+}
+
+}  // namespace lineservo::servo

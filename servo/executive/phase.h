@@ -1,0 +1,88 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "servo/executive/junction_matcher.h"
+#include "servo/plan/plan.h"
+
+namespace lineservo::servo {
+
+/// What the vehicle is doing. `aborted` hovers for a while and then lands; `finished` is the end of the
+/// flight.
+enum class Phase { take_off, align, follow, turn, dock, hover, land, aborted, finished };
+
+std::string_view name(Phase phase);
+
+enum class AbortReason {
+  none,
+  take_off_failed,
+  line_lost,
+  node_lost,
+  node_overdue,
+  node_unexpected,
+  turn_failed
+};
+
+std::string_view name(AbortReason reason);
+
+struct PhaseOptions {
+  double height_m = 0.5;
+  double height_tolerance_m = 0.03;
+  double take_off_limit_s = 15.0;
+  double align_angle_rad = 0.026;
+  double align_offset_m = 0.02;
+  double align_limit_s = 15.0;
+  double settle_s = 0.3;          ///< for which a condition must hold
+  double line_memory_s = 1.0;     ///< without a line before it counts as lost
+  double length_tolerance = 0.2;  ///< of an edge's length, SPEC §3
+  double length_slack_m = 0.6;    ///< on top: half the view, where a node is told before it is reached
+  double dock_distance_m = 0.015;
+  double dock_speed_m_s = 0.03;
+  double dock_limit_s = 20.0;
+  double turn_angle_rad = 0.017;
+  double turn_limit_s = 20.0;
+  double hover_s = 4.0;
+  double abort_hover_s = 3.0;
+  bool land = false;  ///< at the end of the mission
+};
+
+/// All that decides on the phase, gathered anew each tick. What is not known is absent.
+struct Situation {
+  double phase_s = 0.0;    ///< time in this phase
+  double settled_s = 0.0;  ///< time for which the phase's own goal has held
+  double height_m = 0.0;
+  double line_unseen_s = 0.0;
+  std::optional<double> line_angle_rad;
+  std::optional<double> line_offset_m;
+  double travelled_m = 0.0;               ///< since the last node
+  const PlanStep* step = nullptr;         ///< what is expected next
+  std::optional<NodeSighting> node;       ///< told in this tick
+  std::optional<double> node_distance_m;  ///< of the node that is docked on
+  double speed_m_s = 0.0;
+  double turn_left_rad = 0.0;
+  bool servos_on_node = false;  ///< the law docks; others stop on the confirmed code
+  bool on_ground = false;
+};
+
+/// Each is one condition of the transition function.
+bool at_height(const Situation& s, const PhaseOptions& o);
+bool aligned(const Situation& s, const PhaseOptions& o);
+bool docked(const Situation& s, const PhaseOptions& o);
+bool turned(const Situation& s, const PhaseOptions& o);
+bool expected(const NodeSighting& node, const PlanStep& step);
+/// The expected code did not come within the possible distance.
+bool overdue(const Situation& s, const PhaseOptions& o);
+/// A node came where none can be yet.
+bool too_early(const Situation& s, const PhaseOptions& o);
+
+/// Whether the phase's own goal holds in this tick; `settled_s` counts for how long it has.
+bool goal_holds(Phase phase, const Situation& s, const PhaseOptions& o);
+
+/// Why the flight cannot go on, or none.
+AbortReason abort_reason(Phase phase, const Situation& s, const PhaseOptions& o);
+
+/// The phase that follows. Pure: the whole state machine.
+Phase next(Phase phase, const Situation& s, const PhaseOptions& o);
+
+}  // namespace lineservo::servo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "servo/law/ibvs_line_law.h"
+#include "servo/law/pid_law.h"
+
+namespace lineservo::servo {
+
+/// Parameters of every law.
+struct LawOptions {
+  IbvsLineOptions ibvs;
+  PidOptions pid;
+};
+
+/// What one controller is, for the command line and for the executive.
+struct Controller {
+  std::string_view name;
+  std::string_view summary;
+  bool servos_on_node;  ///< docks on nodes; the others stop as their paper does, on the confirmed code
+  std::string_view junction_method;  ///< the recogniser that it flies with unless told otherwise
+  std::unique_ptr<FollowLaw> (*make)(const LawOptions&);
+};
+
+/// All controllers that ship.
+const std::vector<Controller>& controllers();
+
+/// Throws std::invalid_argument, with the names that there are, for an unknown one.
+const Controller& find_controller(std::string_view name);
+
+}  // namespace lineservo::servo

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "servo/law/command.h"
+#include "servo/law/observation.h"
+
+namespace lineservo::servo {
+
+/// What the executive asks of a follower.
+struct FollowGoal {
+  double speed_m_s = 0.1;  ///< along the line
+  double height_m = 0.5;
+};
+
+/// A law that follows a line: features in, command out. Knows no plan, no clock, no camera.
+class FollowLaw {
+ public:
+  virtual ~FollowLaw() = default;
+  /// Forgets what it has accumulated on the leg before.
+  virtual void reset() = 0;
+  /// One control tick. Without a line in view it keeps the vehicle level and sideways at rest.
+  virtual Command follow(const Observation& observation, const FollowGoal& goal) = 0;
+};
+
+}  // namespace lineservo::servo

@@ -1,0 +1,59 @@
+#include "servo/law/ibvs_line_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "servo/law/height_rate.h"
+
+namespace lineservo::servo {
+
+using features::LineFeature;
+
+IbvsLineLaw::IbvsLineLaw(const IbvsLineOptions& options)
+    : options_(options),
+      task_(options.gain),
+      drift_(options.drift_time_constant_s, options.drift_limit_m_s) {}
+
+void IbvsLineLaw::reset() {
+  last_.reset();
+  drift_ = DriftObserver(options_.drift_time_constant_s, options_.drift_limit_m_s);
+}
+
+Command IbvsLineLaw::follow(const Observation& observation, const FollowGoal& goal) {
+  const std::optional<LineFeature> line = line_now(observation);
+  if (!line) return VelocityCommand{0.0, 0.0, height_rate(observation.height_m, goal.height_m), 0.0};
+  const TaskSolution solution = task_.solve(*line, observation.height_m, goal.height_m,
+                                            safe_speed(*line, goal.speed_m_s), drift_.drift_m_s());
+  return solution.valid ? solution.command : VelocityCommand{};
+}
+
+std::optional<LineFeature> IbvsLineLaw::line_now(const Observation& observation) {
+  if (const LineFeature* seen = observation.features.line()) {
+    observe_drift(observation, *seen);
+    last_ = {*seen, observation.captured, observation.odometry_at_capture, observation.capture_height_m};
+  }
+  if (!last_ || seconds(observation.now - last_->captured) > options_.coast_s) return std::nullopt;
+  return after(between(last_->odometry, observation.odometry_now), last_->line, last_->height_m);
+}
+
+// The vehicle's place to the left of the line is ρh. The odometry's own step across the line, in the line's
+// frame whose heading is the vehicle's less θ: Δo = nᵀ R(θ) Δp with n to the left.
+void IbvsLineLaw::observe_drift(const Observation& observation, const LineFeature& line) {
+  const double left_m = line.rho * observation.capture_height_m;
+  if (!last_) {
+    drift_.update(left_m, 0.0, 0.0);
+    return;
+  }
+  const Motion moved = between(last_->odometry, observation.odometry_at_capture);
+  const double step_m = (Eigen::Rotation2Dd(last_->line.theta_rad) * moved.translation_m).y();
+  drift_.update(left_m, step_m, seconds(observation.captured - last_->captured));
+}
+
+// Slows down as the line nears the border of the view, so that it cannot leave it.
+double IbvsLineLaw::safe_speed(const LineFeature& line, double speed_m_s) const {
+  const double offset = std::abs(line.rho) / options_.view_margin;
+  const double angle = std::abs(line.theta_rad) / options_.view_angle_rad;
+  return speed_m_s * std::clamp(1.0 - offset * offset, 0.0, 1.0) * std::clamp(1.0 - angle * angle, 0.0, 1.0);
+}
+
+}  // namespace lineservo::servo

@@ -1,0 +1,27 @@
+#include "servo/law/motion.h"
+
+#include <cmath>
+
+namespace lineservo::servo {
+
+Motion compose(const Motion& first, const Motion& second) {
+  return {first.translation_m + Eigen::Rotation2Dd(first.yaw_rad) * second.translation_m,
+          first.yaw_rad + second.yaw_rad};
+}
+
+Motion between(const Motion& from, const Motion& to) {
+  return {Eigen::Rotation2Dd(-from.yaw_rad) * (to.translation_m - from.translation_m),
+          to.yaw_rad - from.yaw_rad};
+}
+
+// A yaw of the vehicle by ψ turns the line in the image by +ψ: θ' = θ + ψ. The foot of the perpendicular
+// moves with the floor: ρ' = n'ᵀ p', with any point p of the line.
+features::LineFeature after(const Motion& motion, features::LineFeature line, double height_m) {
+  const features::LevelPoint foot{line.rho * std::cos(line.theta_rad), line.rho * std::sin(line.theta_rad)};
+  const features::LevelPoint moved = level_point(after(motion, floor_point_m(foot, height_m)), height_m);
+  line.theta_rad += motion.yaw_rad;
+  line.rho = moved.x * std::cos(line.theta_rad) + moved.y * std::sin(line.theta_rad);
+  return line;
+}
+
+}  // namespace lineservo::servo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+
+#include "features/frame_features.h"
+#include "servo/law/motion.h"
+
+namespace lineservo::servo {
+
+using Time = std::chrono::nanoseconds;
+
+constexpr double seconds(Time t) {
+  return static_cast<double>(t.count()) * 1e-9;
+}
+
+/// All that a law may know at one control tick. Estimates, never truth.
+struct Observation {
+  Time now{0};
+  Time captured{0};  ///< mid-exposure of the frame, as far as the camera's latency is known
+  features::FrameFeatures features;
+  Motion odometry_now;  ///< dead reckoning by the velocity and yaw estimates since the flight began; drifts
+  Motion odometry_at_capture;  ///< the same when the frame was taken
+  double height_m = 0.0;       ///< now
+  double capture_height_m = 0.0;
+  Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
+};
+
+/// What the vehicle moved since the frame was taken.
+inline Motion since_capture(const Observation& o) {
+  return between(o.odometry_at_capture, o.odometry_now);
+}
+
+}  // namespace lineservo::servo

@@ -1,0 +1,157 @@
+#include "servo/plan/plan.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "features/geometry/angles.h"
+#include "servo/plan/dif.h"
+#include "servo/plan/route.h"
+
+namespace lineservo::servo {
+namespace {
+
+using features::Arms;
+using features::JunctionCode;
+using features::kPi;
+using features::wrap_angle;
+
+constexpr double kArmTolerance_rad = features::radians(25.0);  // SPEC §4
+
+bool near(double angle_rad, double direction_rad) {
+  return std::abs(wrap_angle(angle_rad - direction_rad)) <= kArmTolerance_rad;
+}
+
+void add_arm(Arms& arms, double angle_rad) {
+  if (near(angle_rad, 0.0)) {
+    arms.forward = true;
+  } else if (near(angle_rad, kPi)) {
+    arms.back = true;
+  } else if (near(angle_rad, kPi / 2)) {
+    arms.left = true;
+  } else if (near(angle_rad, -kPi / 2)) {
+    arms.right = true;
+  } else {
+    throw std::invalid_argument(
+        "an arm at " + std::to_string(std::lround(features::degrees(angle_rad))) +
+        "° to the way is none that the junction codes can name (forward, back, left, right)");
+  }
+}
+
+std::vector<double> relative_angles(const TopologyNode& node, double travel_heading_rad) {
+  std::vector<double> angles;
+  for (const TopologyArm& arm : node.arms) angles.push_back(wrap_angle(arm.heading_rad - travel_heading_rad));
+  return angles;
+}
+
+bool looks_like_plain_line(const NodeSignature& s) {
+  return s.code == JunctionCode::straight && !s.line_ends;
+}
+
+PlanStep arrive(const Topology& topology, const TopologyArm& by) {
+  PlanStep step;
+  step.node = topology.nodes[by.to].name;
+  step.edge_length_m = topology.edge_lengths_m[by.edge];
+  try {
+    step.expected = signature(relative_angles(topology.nodes[by.to], by.arrival_heading_rad));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("node " + step.node + ": " + error.what());
+  }
+  return step;
+}
+
+void leave(PlanStep& step, const TopologyArm& by, const TopologyArm& onto) {
+  const double turn_rad = wrap_angle(onto.heading_rad - by.arrival_heading_rad);
+  if (near(turn_rad, 0.0)) return;
+  if (looks_like_plain_line(step.expected)) {
+    throw std::invalid_argument("node " + step.node +
+                                ": the way turns where the camera sees only plain line");
+  }
+  step.manoeuvre = Manoeuvre::turn;
+  step.turn_rad = turn_rad;
+}
+
+/// Nodes that the camera cannot tell and that ask for nothing are driven over: their length goes to the next
+/// step.
+void append(std::vector<PlanStep>& steps, PlanStep step, double& unseen_length_m) {
+  if (step.manoeuvre == Manoeuvre::go_straight && looks_like_plain_line(step.expected)) {
+    unseen_length_m += step.edge_length_m;
+    return;
+  }
+  step.edge_length_m += unseen_length_m;
+  unseen_length_m = 0.0;
+  steps.push_back(std::move(step));
+}
+
+std::string labels_of(const Topology& topology) {
+  std::string list;
+  for (const auto& [label, node] : topology.labels) list += (list.empty() ? "" : " ") + label;
+  return list.empty() ? "none: use node:NAME" : list;
+}
+
+}  // namespace
+
+NodeSignature signature(const std::vector<double>& arm_angles_rad) {
+  Arms arms;
+  for (const double angle_rad : arm_angles_rad) add_arm(arms, angle_rad);
+  Arms ahead = arms;
+  ahead.forward = false;  // the forward arm comes into view last
+  return {code_of(ahead), code_of(arms), !arms.forward};
+}
+
+Plan compile(const Topology& topology, std::size_t target, std::string instruction) {
+  const std::string& target_name = topology.nodes.at(target).name;
+  if (target == topology.start) {
+    throw std::invalid_argument(instruction + ": the target " + target_name +
+                                " is the take-off point itself");
+  }
+  const std::optional<Route> route = shortest_route(topology, topology.start, target);
+  if (!route) throw std::invalid_argument(instruction + ": no painted way leads to " + target_name);
+
+  Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}};
+  double unseen_length_m = 0.0;
+  for (std::size_t k = 0; k < route->size(); ++k) {
+    PlanStep step = arrive(topology, (*route)[k]);
+    if (k + 1 < route->size()) {
+      leave(step, (*route)[k], (*route)[k + 1]);
+    } else if (looks_like_plain_line(step.expected)) {
+      throw std::invalid_argument(plan.instruction + ": the camera cannot tell " + target_name +
+                                  " from plain line");
+    } else {
+      step.manoeuvre = Manoeuvre::hover;
+    }
+    append(plan.steps, std::move(step), unseen_length_m);
+  }
+  return plan;
+}
+
+std::size_t find_target(const Topology& topology, std::string_view target) {
+  constexpr std::string_view kNodePrefix = "node:";
+  if (target.starts_with(kNodePrefix)) {
+    const std::string_view wanted = target.substr(kNodePrefix.size());
+    for (std::size_t node = 0; node < topology.nodes.size(); ++node) {
+      if (topology.nodes[node].name == wanted) return node;
+    }
+    throw std::invalid_argument("layout " + topology.name + " has no node '" + std::string(wanted) + "'");
+  }
+  const std::string label = to_string(parse_dif(target));
+  const auto it = topology.labels.find(label);
+  if (it == topology.labels.end()) {
+    throw std::invalid_argument("layout " + topology.name + " has no target " + label +
+                                "; it has: " + labels_of(topology));
+  }
+  return it->second;
+}
+
+std::string_view name(Manoeuvre manoeuvre) {
+  switch (manoeuvre) {
+    case Manoeuvre::go_straight:
+      return "go straight";
+    case Manoeuvre::turn:
+      return "turn";
+    case Manoeuvre::hover:
+      return "hover";
+  }
+  return "?";
+}
+
+}  // namespace lineservo::servo

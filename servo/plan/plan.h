@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "features/junction/junction_code.h"
+#include "servo/plan/topology.h"
+
+namespace lineservo::servo {
+
+/// How a node looks to the camera of a vehicle that approaches it.
+struct NodeSignature {
+  features::JunctionCode preview = features::JunctionCode::straight;  ///< when its side arms come into view
+  features::JunctionCode code = features::JunctionCode::straight;     ///< when all its arms are in view
+  bool line_ends = false;  ///< no arm goes on ahead: a corner, a ┬ or a dead end
+
+  friend bool operator==(const NodeSignature&, const NodeSignature&) = default;
+};
+
+enum class Manoeuvre { go_straight, turn, hover };
+
+/// One node on the way: what is expected there and what to do.
+struct PlanStep {
+  NodeSignature expected;
+  Manoeuvre manoeuvre = Manoeuvre::go_straight;
+  double turn_rad = 0.0;       ///< for a turn, counter-clockwise
+  double edge_length_m = 0.0;  ///< since the step before; for time-outs only
+  std::string node;            ///< for explaining the plan only
+};
+
+/// An instruction compiled to what the camera will see and what to do about it.
+struct Plan {
+  std::string instruction;
+  std::string target;
+  double start_heading_rad = 0.0;  ///< of the first edge; where the vehicle is placed facing
+  std::vector<PlanStep> steps;     ///< the last one hovers
+};
+
+/// Compiles the way from the start node to a node. Throws std::invalid_argument that says why when there is
+/// no route, when the target is the start, when the camera cannot tell a node that matters (it looks like
+/// plain line), or when arms meet at angles that the codes cannot name.
+Plan compile(const Topology& topology, std::size_t target, std::string instruction);
+
+/// The node that a target names: a DIF (a13) by the topology's labels, or node:NAME. Throws
+/// std::invalid_argument with what is allowed.
+std::size_t find_target(const Topology& topology, std::string_view target);
+
+/// How a node with arms at these angles (relative to the direction of travel, back arm included) looks.
+/// Throws std::invalid_argument when an arm is more than 25° off forward, back, left and right.
+NodeSignature signature(const std::vector<double>& arm_angles_rad);
+
+std::string_view name(Manoeuvre manoeuvre);
+
+}  // namespace lineservo::servo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lineservo::servo {
+
+/// One painted arm of a node.
+struct TopologyArm {
+  std::size_t edge = 0;
+  std::size_t to = 0;        ///< node at the other end
+  double heading_rad = 0.0;  ///< in which the arm leaves the node, from +x of the floor, counter-clockwise
+  double arrival_heading_rad = 0.0;  ///< of a traveller who reaches `to` along this arm
+};
+
+struct TopologyNode {
+  std::string name;
+  std::vector<TopologyArm> arms;
+};
+
+/// What the executive may know of a floor: which nodes are joined, in which directions the arms leave, what
+/// they are called. Lengths serve for time-outs and for choosing the shortest route only; there are no
+/// coordinates.
+struct Topology {
+  std::string name;
+  std::vector<TopologyNode> nodes;
+  std::vector<double> edge_lengths_m;
+  std::map<std::string, std::size_t> labels;  ///< DIF → node
+  std::size_t start = 0;
+};
+
+}  // namespace lineservo::servo
