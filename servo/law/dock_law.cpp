@@ -31,8 +31,9 @@ VelocityCommand DockLaw::hold(const Observation& observation, const DockGoal& go
   const Eigen::Vector2d drift_H = Eigen::Rotation2Dd(-observation.odometry_now.yaw_rad) *
                                   Eigen::Vector2d(drift_x_.drift_m_s(), drift_y_.drift_m_s());
   PointTask& task = goal.theta_rad ? on_line_ : turning_;
-  const TaskSolution solution = task.solve(goal.point_H_m, goal.theta_rad.value_or(0.0), observation.height_m,
-                                           goal.height_m, goal.yaw_rate_rad_s, drift_H);
+  const TaskSolution solution =
+      task.solve(level_point(goal.point_H_m, observation.height_m), goal.theta_rad.value_or(0.0),
+                 observation.height_m, goal.height_m, goal.yaw_rate_rad_s, drift_H);
   return solution.valid ? solution.command : VelocityCommand{};
 }
 

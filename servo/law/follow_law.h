@@ -1,7 +1,7 @@
 #pragma once
 
-#include "servo/law/command.h"
 #include "servo/law/observation.h"
+#include "servo/task/command.h"
 
 namespace lineservo::servo {
 

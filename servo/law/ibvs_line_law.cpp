@@ -22,7 +22,7 @@ void IbvsLineLaw::reset() {
 Command IbvsLineLaw::follow(const Observation& observation, const FollowGoal& goal) {
   const std::optional<LineFeature> line = line_now(observation);
   if (!line) return VelocityCommand{0.0, 0.0, height_rate(observation.height_m, goal.height_m), 0.0};
-  const TaskSolution solution = task_.solve(*line, observation.height_m, goal.height_m,
+  const TaskSolution solution = task_.solve(line->rho, line->theta_rad, observation.height_m, goal.height_m,
                                             safe_speed(*line, goal.speed_m_s), drift_.drift_m_s());
   return solution.valid ? solution.command : VelocityCommand{};
 }

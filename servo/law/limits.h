@@ -1,6 +1,6 @@
 #pragma once
 
-#include "servo/law/command.h"
+#include "servo/task/command.h"
 
 namespace lineservo::servo {
 

@@ -23,9 +23,9 @@ LineTask::~LineTask() = default;
 
 // The floor in the level camera frame is the plane 0·X + 0·Y + 1·Z − h = 0. With it ρ̇ = v_left / h on the
 // line.
-TaskSolution LineTask::solve(const features::LineFeature& line, double height_m, double desired_height_m,
+TaskSolution LineTask::solve(double rho, double theta_rad, double height_m, double desired_height_m,
                              double forward_m_s, double drift_m_s) {
-  features_->line.buildFrom(line.rho, line.theta_rad, 0.0, 0.0, 1.0, -height_m);
+  features_->line.buildFrom(rho, theta_rad, 0.0, 0.0, 1.0, -height_m);
   features_->depth.buildFrom(0.0, 0.0, height_m, std::log(height_m / desired_height_m));
   const Eigen::Vector3d error_rate(drift_m_s / height_m, 0.0, 0.0);
   return task_.solve({forward_m_s, 0.0, 0.0, 0.0}, error_rate);

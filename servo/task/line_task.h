@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "features/frame_features.h"
 #include "servo/task/visual_task.h"
 
 namespace lineservo::servo {
@@ -15,9 +14,9 @@ class LineTask {
   explicit LineTask(const AdaptiveGain& gain);
   ~LineTask();
 
-  /// `line` as it is now; `drift_m_s` is the sideways speed (to the left of the line) that the vehicle does
-  /// not know of.
-  TaskSolution solve(const features::LineFeature& line, double height_m, double desired_height_m,
+  /// (ρ, θ): the line as it is now. `drift_m_s`: the sideways speed, to the left, that the vehicle does not
+  /// know of.
+  TaskSolution solve(double rho, double theta_rad, double height_m, double desired_height_m,
                      double forward_m_s, double drift_m_s);
 
   const VisualTask& task() const { return task_; }

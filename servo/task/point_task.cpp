@@ -6,8 +6,6 @@
 
 #include <cmath>
 
-#include "servo/law/motion.h"
-
 namespace lineservo::servo {
 
 struct PointTask::Features {
@@ -31,10 +29,9 @@ PointTask::PointTask(const AdaptiveGain& gain, Heading heading)
 PointTask::~PointTask() = default;
 
 // A drift of the vehicle by d moves the point in the level camera by ẋ = d_left / h, ẏ = d_forward / h.
-TaskSolution PointTask::solve(const Eigen::Vector2d& point_H_m, double theta_rad, double height_m,
+TaskSolution PointTask::solve(features::LevelPoint point, double theta_rad, double height_m,
                               double desired_height_m, double yaw_rate_rad_s,
                               const Eigen::Vector2d& drift_H_m_s) {
-  const features::LevelPoint point = level_point(point_H_m, height_m);
   features_->point.buildFrom(point.x, point.y, height_m);
   features_->depth.buildFrom(0.0, 0.0, height_m, std::log(height_m / desired_height_m));
   Eigen::VectorXd error_rate = Eigen::VectorXd::Zero(heading_ == Heading::on_line ? 4 : 3);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "features/geometry/points.h"
 #include "servo/task/visual_task.h"
 
 namespace lineservo::servo {
@@ -16,11 +17,11 @@ class PointTask {
   PointTask(const AdaptiveGain& gain, Heading heading);
   ~PointTask();
 
-  /// `point_H_m`: the floor point now, heading frame (forward, left). `theta_rad`: the line's angle, used
-  /// when the heading is on the line. `yaw_rate_rad_s`: secondary motion, used when it is free.
-  /// `drift_H_m_s`: as in LineTask.
-  TaskSolution solve(const Eigen::Vector2d& point_H_m, double theta_rad, double height_m,
-                     double desired_height_m, double yaw_rate_rad_s, const Eigen::Vector2d& drift_H_m_s);
+  /// `point`: the floor point now. `theta_rad`: the line's angle, used when the heading is on the line.
+  /// `yaw_rate_rad_s`: secondary motion, used when it is free. `drift_H_m_s`: motion (forward, left) that the
+  /// vehicle does not know of.
+  TaskSolution solve(features::LevelPoint point, double theta_rad, double height_m, double desired_height_m,
+                     double yaw_rate_rad_s, const Eigen::Vector2d& drift_H_m_s);
 
   const VisualTask& task() const { return task_; }
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "servo/law/command.h"
+#include "servo/task/command.h"
 
 class vpBasicFeature;
 

@@ -1,4 +1,4 @@
-#include "servo/law/command.h"
+#include "servo/task/command.h"
 
 #include <cmath>
 
