@@ -70,7 +70,8 @@ PerRotor Cascade::stabilise(const TiltTarget& tilt, double yaw_rate_set_rad_s, d
   slew_yaw_rate(yaw_rate_set_rad_s);
   const double vertical_m_s2 = kGravity_m_s2 + vertical_.acceleration(climb_rate_m_s, estimate);
   const Eigen::Vector3d w_set_B = body_rates_for(tilt, yaw_rate_rad_s_, estimate, gains_.attitude_per_s);
-  const Eigen::Vector3d w_dot_set_B(0.0, 0.0, yaw_acceleration_rad_s2_);
+  const Eigen::Vector3d w_dot_set_B(0.0, 0.0,
+                                    yaw_acceleration_rad_s2_ + gains_.yaw_drag_per_s * yaw_rate_rad_s_);
   const ThrustAndTorque wanted{thrust_for(mass_kg_, vertical_m_s2, estimate),
                                rates_.torque_B(w_set_B, w_dot_set_B, estimate.w_B_rad_s)};
   const PerRotor thrusts_N = mixer_.rotor_thrusts_N(wanted);

@@ -20,6 +20,7 @@ struct Gains {
   double climb_bandwidth_per_s = 0.0;
   double yaw_acceleration_rad_s2 = 0.0;  ///< what leaves room for roll and pitch
   double drag_per_s = 0.0;               ///< deceleration over speed in hover, from the rotors
+  double yaw_drag_per_s = 0.0;           ///< the same of the yaw rate
 
   explicit Gains(const AirframeParameters& airframe);
 };

@@ -36,15 +36,18 @@ Eigen::Vector2d HorizontalController::acceleration_H(const Eigen::Vector2d& v_se
   turn_frame(-yaw_rate_rad_s * period_s_);
   const Eigen::Vector2d a_model(x_.step(v_set_H.x()), y_.step(v_set_H.y()));
   const Eigen::Vector2d v_model(x_.velocity_m_s(), y_.velocity_m_s());
+  const Eigen::Vector2d a_turning = yaw_rate_rad_s * Eigen::Vector2d(-v_model.y(), v_model.x());
   const Eigen::Vector2d error = v_model - estimate.v_H_m_s.head<2>();
-  const Eigen::Vector2d wanted = a_model + gains_.drag_per_s * v_model + gains_.velocity_per_s * error;
-  const Eigen::Vector2d a_H = shortened(wanted + integral_H_m_s2_, greatest_m_s2_);
-  const bool saturated = (wanted + integral_H_m_s2_).norm() > greatest_m_s2_;
-  if (!saturated || integral_H_m_s2_.dot(error) < 0.0) {
-    integral_H_m_s2_ = shortened(integral_H_m_s2_ + period_s_ * gains_.velocity_integral_per_s2 * error,
-                                 kGreatestIntegral_m_s2);
-  }
-  return a_H;
+  const Eigen::Vector2d wanted =
+      a_model + a_turning + gains_.drag_per_s * v_model + gains_.velocity_per_s * error + integral_H_m_s2_;
+  const bool saturated = wanted.norm() > greatest_m_s2_;
+  if (!saturated || integral_H_m_s2_.dot(error) < 0.0) integrate(error);
+  return shortened(wanted, greatest_m_s2_);
+}
+
+void HorizontalController::integrate(const Eigen::Vector2d& error_H) {
+  const double gain = period_s_ * gains_.velocity_integral_per_s2;
+  integral_H_m_s2_ = shortened(integral_H_m_s2_ + gain * error_H, kGreatestIntegral_m_s2);
 }
 
 void HorizontalController::start_from(const Eigen::Vector2d& v_H) {

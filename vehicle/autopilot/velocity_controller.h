@@ -21,6 +21,7 @@ class HorizontalController {
 
  private:
   void turn_frame(double yaw_step_rad);
+  void integrate(const Eigen::Vector2d& error_H);
 
   Gains gains_;
   double period_s_, greatest_m_s2_;

@@ -1,5 +1,6 @@
 #include "vehicle/body/aerodynamics.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -27,7 +27,7 @@ double acceleration_density(const SensorParameters& p) {
 ChainFilter velocity_filter(const SensorParameters& p) {
   ChainFilter::Noise noise;
   const double tilt_walk = kGravity_m_s2 * std::max(p.gyro_sigma_rad_s, 1e-4);
-  noise.drive << acceleration_density(p), 4.0 * white_density(tilt_walk), 1e-6;
+  noise.drive << acceleration_density(p), white_density(tilt_walk), 3e-7;
   noise.measurement_sigma = std::max(p.flow_sigma_m_s, kLeastFlowSigma_m_s);
   const double start_c = std::hypot(kGravity_m_s2 * p.attitude_sigma_rad, p.accelerometer_bias_m_s2);
   const double start_drift = kGravity_m_s2 * p.gyro_bias_rad_s;

@@ -2,7 +2,7 @@
 
 namespace lineservo::vehicle {
 namespace {
-constexpr double kPull_s = 10.0;
+constexpr double kPull_s = 20.0;
 }
 
 // φ ← φ + T (φ̇_gyro + (φ_levelled − φ)/τ), the same for θ
