@@ -1,54 +1,62 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
-#include <variant>
 
+#include "vehicle/autopilot/mode.h"
+#include "vehicle/autopilot/options.h"
+#include "vehicle/body/airframe.h"
+#include "vehicle/body/wind.h"
+#include "vehicle/body_state.h"
+#include "vehicle/estimate.h"
+#include "vehicle/sensors/sensor_parameters.h"
+#include "vehicle/setpoint.h"
 #include "vehicle/time.h"
 
 namespace lineservo::vehicle {
 
-/// The true motion of the body B in the world W. For scoring and for the simulated sensors only.
-struct BodyState {
-  Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d w_B = Eigen::Vector3d::Zero();
+/// Where the vehicle is put down.
+struct StartPlace {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading_rad = 0.0;
 };
 
-/// What the vehicle believes of itself. H is the heading frame: z up, x the horizontal projection of x_B.
-struct Estimate {
-  Time stamp{0};
-  double roll_rad = 0.0;
-  double pitch_rad = 0.0;
-  double yaw_rad = 0.0;  ///< integrated gyro, drifts
-  Eigen::Vector3d w_B_rad_s = Eigen::Vector3d::Zero();
-  Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
-  double height_m = 0.0;  ///< of the body origin above the floor
+/// A simulated quadrotor: body, motors, sensors, estimator and autopilot in lock-step, one millisecond at a
+/// time. It starts on the floor with stopped motors.
+class Quadrotor {
+ public:
+  /// Throws std::invalid_argument for bad parameters. Without a wind the air is still.
+  Quadrotor(const AirframeParameters& airframe, const AutopilotOptions& options,
+            const SensorParameters& sensors, std::unique_ptr<Wind> wind, std::uint64_t seed,
+            const StartPlace& start);
+  ~Quadrotor();
+  Quadrotor(Quadrotor&&) noexcept;
+  Quadrotor& operator=(Quadrotor&&) noexcept;
+
+  /// Goes on by one kPhysicsStep.
+  void step();
+
+  /// What to do, thought up at `stamp`, good until `stamp + holds_for`. A command that is not finite, older
+  /// than the one in force or run out is refused.
+  void command(const Setpoint& setpoint, Time stamp, Time holds_for = kDefaultHold);
+  /// The paint was seen in a picture taken at t.
+  void paint_sighted(Time t);
+
+  Time now() const;
+  AutopilotMode mode() const;
+  /// The newest estimate, and the one for a time in the last second (the nearest that there is beyond).
+  const Estimate& estimate() const;
+  Estimate estimate_at(Time t) const;
+
+  /// For scoring and cameras.
+  const BodyState& truth() const;
+  /// Hit the floor faster than 1 m/s or turned over (80°). The motors stop for good.
+  bool crashed() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
-
-/// Velocity in the heading frame and yaw rate.
-struct VelocitySetpoint {
-  Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
-  double yaw_rate_rad_s = 0.0;
-};
-
-/// Roll, pitch, yaw rate and height, as attitude-level followers command.
-struct AttitudeSetpoint {
-  double roll_rad = 0.0;
-  double pitch_rad = 0.0;
-  double yaw_rate_rad_s = 0.0;
-  double height_m = 0.5;
-};
-
-/// Descend where it is and stop the motors on the ground.
-struct LandSetpoint {};
-
-using Setpoint = std::variant<LandSetpoint, VelocitySetpoint, AttitudeSetpoint>;
-
-/// What the autopilot is doing.
-enum class AutopilotMode { idle, tracking, braking, landing, landed };
 
 }  // namespace lineservo::vehicle

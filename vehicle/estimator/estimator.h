@@ -1,0 +1,33 @@
+#pragma once
+
+#include "vehicle/estimate.h"
+#include "vehicle/estimator/chain_filter.h"
+#include "vehicle/estimator/tilt_tracker.h"
+#include "vehicle/sensors/sensors.h"
+
+namespace lineservo::vehicle {
+
+/// Fuses the sensors, every kInertialPeriod, into what the vehicle believes of itself. The velocity follows
+/// the accelerometer and is corrected by the flow; the height follows it and is corrected by the range.
+class Estimator {
+ public:
+  /// From the first readings, taken at rest.
+  Estimator(const SensorParameters& parameters, const SensorReadings& first);
+
+  void update(const SensorReadings& readings);
+  const Estimate& estimate() const { return estimate_; }
+
+ private:
+  void predict(const Eigen::Vector3d& a_H_m_s2, double yaw_step_rad);
+  void turn_horizontal_axes(double yaw_step_rad);
+  void correct(const SensorReadings& readings);
+  void publish(const SensorReadings& readings, const Eigen::Vector3d& a_H_m_s2);
+
+  TiltTracker tilt_;
+  ChainFilter v_x_, v_y_;  // velocity, correction of the acceleration, its drift
+  ChainFilter height_;     // height, climb rate, correction of the acceleration
+  Eigen::Vector3d last_gyro_B_;
+  Estimate estimate_;
+};
+
+}  // namespace lineservo::vehicle
