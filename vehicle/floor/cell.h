@@ -14,8 +14,8 @@ struct CrossedShape {
   std::array<const ImageBorder*, kMaxBorders> borders = {};
 };
 
-/// What is to be seen in a part of the image: a base colour and, in paint order, the shapes whose borders cross
-/// it. No shapes: it is flat.
+/// What is to be seen in a part of the image: a base colour and, in paint order, the shapes whose borders
+/// cross it. No shapes: it is flat.
 struct Cell {
   Bgr base = {};
   std::vector<CrossedShape> shapes;

@@ -55,8 +55,7 @@ double nearest_on_arc(const CurvePiece& piece, const Vector2d& p_W) {
 }
 
 CurveProjection project_on(const CurvePiece& piece, const Vector2d& p_W) {
-  const double s_m =
-      piece.curvature_inv_m == 0.0 ? nearest_on_line(piece, p_W) : nearest_on_arc(piece, p_W);
+  const double s_m = piece.curvature_inv_m == 0.0 ? nearest_on_line(piece, p_W) : nearest_on_arc(piece, p_W);
   const CurvePoint nearest = point_on(piece, s_m);
   const Vector2d offset_W = p_W - nearest.p_W;
   return {s_m, offset_W.norm(), left_of(direction(nearest.heading_rad)).dot(offset_W)};
@@ -91,7 +90,8 @@ Curve Curve::arc(Eigen::Vector2d from_W, Eigen::Vector2d to_W, Eigen::Vector2d c
   const Vector2d from = from_W - centre_W, to = to_W - centre_W;
   const double radius_m = from.norm();
   if (!(radius_m > 0.0) || !(std::abs(radius_m - to.norm()) <= 1e-3))
-    throw std::invalid_argument("curve: an arc's ends must lie at the same, positive distance from its centre");
+    throw std::invalid_argument(
+        "curve: an arc's ends must lie at the same, positive distance from its centre");
   const double sense = counter_clockwise ? 1.0 : -1.0;
   double sweep_rad = sense * std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
   if (from_W == to_W) sweep_rad = 2.0 * kPi;

@@ -20,8 +20,9 @@ class FloorRenderer {
   /// The layout must be sound: throws std::invalid_argument that lists its faults.
   FloorRenderer(const Layout& layout, const features::CameraModel& camera);
 
-  /// The image from a pose of the camera C (z_C the optical axis, towards the floor) in W, 8-bit BGR. Rays that
-  /// do not meet the floor within 100 heights show sky. `bgr` keeps its memory when it has the right size.
+  /// The image from a pose of the camera C (z_C the optical axis, towards the floor) in W, 8-bit BGR. Rays
+  /// that do not meet the floor within 100 heights show sky. `bgr` keeps its memory when it has the right
+  /// size.
   void render(const Eigen::Isometry3d& X_WC, cv::Mat& bgr);
 
  private:

@@ -21,7 +21,7 @@ struct ImageBorder {
   LinearForm l0, l1, l2;
   float sign = 1.0F;
   bool is_round = false;
-  int id = 0;  ///< borders that coincide have the same id
+  int id = 0;                            ///< borders that coincide have the same id
   float bound_x = 0.0F, bound_y = 0.0F;  ///< |∂F/∂x| and |∂F/∂y| nowhere exceed these
 };
 

@@ -34,14 +34,19 @@ Vector2d direction(double heading_rad) {
 
 End first_end(const Stripes& stripes, std::size_t i) {
   const Stripe& s = stripes.pieces[i];
-  return {i,         false,    s.centreline.start_W, direction(s.centreline.heading_rad),
-          s.width_m, s.centreline.curvature_inv_m == 0.0, s.colour};
+  return {i,
+          false,
+          s.centreline.start_W,
+          direction(s.centreline.heading_rad),
+          s.width_m,
+          s.centreline.curvature_inv_m == 0.0,
+          s.colour};
 }
 
 End last_end(const Stripes& stripes, std::size_t i, const CurvePoint& end) {
   const Stripe& s = stripes.pieces[i];
-  return {i,         true,    end.p_W, -direction(end.heading_rad),
-          s.width_m, s.centreline.curvature_inv_m == 0.0, s.colour};
+  return {i,       true, end.p_W, -direction(end.heading_rad), s.width_m, s.centreline.curvature_inv_m == 0.0,
+          s.colour};
 }
 
 bool in_line(const End& a, const End& b) {
@@ -67,8 +72,8 @@ double overrun_m(const End& end, const Joint& joint) {
   const bool has_through = through_width_m(joint) > 0.0;
   double overrun_m = kSeamOverlap_m;
   for (const End& other : joint) {
-    const bool carries_on = end.is_straight && other.is_straight && in_line(end, other) &&
-                            end.width_m <= other.width_m;
+    const bool carries_on =
+        end.is_straight && other.is_straight && in_line(end, other) && end.width_m <= other.width_m;
     const bool makes_a_corner = square(end, other) && !has_through;
     if (carries_on || makes_a_corner) overrun_m = std::max(overrun_m, 0.5 * other.width_m);
   }

@@ -29,8 +29,8 @@ struct Frame {
   cv::Mat bgr;             ///< 8-bit BGR; the camera does not write to it while it is held
 };
 
-/// The down-looking camera at the body origin, mounted as down_camera_R_BC(), over a painted floor. Frame k is
-/// exposed at k / rate and delivered a latency later.
+/// The down-looking camera at the body origin, mounted as down_camera_R_BC(), over a painted floor. Frame k
+/// is exposed at k / rate and delivered a latency later.
 class SyntheticCamera {
  public:
   /// Throws std::invalid_argument that names what is out of bounds in the options or unsound in the layout.

@@ -11,8 +11,8 @@ namespace {
 using Plane = std::array<float, kTilePixels>;
 
 // The pixel's square against a straight border with the unit normal (cos, sin) in the image: the covered area
-// as a function of the signed distance e of the pixel's centre. With a = max(|cos|, |sin|), b = min of them, it
-// is the convolution of boxes of the widths a and b with a step: 1/2 ± A(|e|),
+// as a function of the signed distance e of the pixel's centre. With a = max(|cos|, |sin|), b = min of them,
+// it is the convolution of boxes of the widths a and b with a step: 1/2 ± A(|e|),
 //   A(t) = min(t, (a + b)/2)/a − m²/(2 a b),   m = clamp(t − (a − b)/2, 0, b).
 inline float covered_area(float e, float a, float b) {
   const float t = std::abs(e);
@@ -52,8 +52,7 @@ LINESERVO_CLONES void round_coverage(const TileRays& rays, const ImageBorder& bo
     const float r = std::max(std::sqrt(f1 * f1 + f2 * f2), 1e-20F);
     const float F_x = (f1 * l1.x + f2 * l2.x) / r + l0.x, F_y = (f1 * l1.y + f2 * l2.y) / r + l0.y;
     const PixelSlope slope = pixel_slope(F_x, F_y, j);
-    coverage[i] =
-        covered_area(-sign * (r + l0.at(rays.x[i], rays.y[i])) * slope.per_F, slope.a, slope.b);
+    coverage[i] = covered_area(-sign * (r + l0.at(rays.x[i], rays.y[i])) * slope.per_F, slope.a, slope.b);
   }
 }
 
@@ -116,22 +115,37 @@ void lay_shape(const TileRays& rays, const CrossedShape& shape, Layers& layers) 
   count_crossings(covered, layers.crossings.data());
 }
 
-constexpr int kSamplesPerSide = 8;
-constexpr int kSamples = kSamplesPerSide * kSamplesPerSide;
+constexpr std::size_t kSamples = 64;
 using SamplePlane = std::array<float, kSamples>;
+
+// Hammersley's points: no two in one column or row of 64, so that an upright border is worth 1/64 of a pixel,
+// where a grid of 8 × 8 gives 1/8.
+struct SamplePattern {
+  SamplePlane u = {}, v = {};
+};
+constexpr SamplePattern hammersley() {
+  SamplePattern pattern;
+  for (unsigned i = 0; i < kSamples; ++i) {
+    unsigned reversed = 0;
+    for (unsigned bit = 0; bit < 6; ++bit) reversed |= ((i >> bit) & 1U) << (5U - bit);
+    pattern.u[i] = (static_cast<float>(i) + 0.5F) / kSamples - 0.5F;
+    pattern.v[i] = (static_cast<float>(reversed) + 0.5F) / kSamples - 0.5F;
+  }
+  return pattern;
+}
+constexpr SamplePattern kPattern = hammersley();
 
 struct Samples {
   SamplePlane x, y;
   std::array<SamplePlane, 3> bgr;
 };
 
-void place_samples(const TileRays& rays, std::size_t pixel, Samples& samples) {
-  const RayJacobian& j = rays.slope;
-  for (int i = 0; i < kSamples; ++i) {
-    const float u = (static_cast<float>(i % kSamplesPerSide) + 0.5F) / kSamplesPerSide - 0.5F;
-    const float v = (static_cast<float>(i / kSamplesPerSide) + 0.5F) / kSamplesPerSide - 0.5F;
-    samples.x[static_cast<std::size_t>(i)] = rays.x[pixel] + j.x_u * u + j.x_v * v;
-    samples.y[static_cast<std::size_t>(i)] = rays.y[pixel] + j.y_u * u + j.y_v * v;
+LINESERVO_CLONES void place_samples(const TileRays& rays, std::size_t pixel, Samples& samples) {
+  const RayJacobian j = rays.slope;
+  const float x = rays.x[pixel], y = rays.y[pixel];
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    samples.x[i] = x + j.x_u * kPattern.u[i] + j.x_v * kPattern.v[i];
+    samples.y[i] = y + j.y_u * kPattern.u[i] + j.y_v * kPattern.v[i];
   }
 }
 
@@ -146,7 +160,7 @@ LINESERVO_CLONES void keep_painted(const ImageBorder& border, const Samples& sam
 }
 
 LINESERVO_CLONES void paint_samples(const float* painted, float colour, float* plane) {
-  for (int i = 0; i < kSamples; ++i) plane[i] = painted[i] > 0.0F ? colour : plane[i];
+  for (std::size_t i = 0; i < kSamples; ++i) plane[i] = painted[i] > 0.0F ? colour : plane[i];
 }
 
 // Exact: a sum of at most 64 whole numbers.

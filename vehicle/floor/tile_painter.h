@@ -12,7 +12,7 @@ namespace lineservo::vehicle {
 using TilePixels = std::array<std::uint8_t, 3 * kTilePixels>;
 
 /// Draws a tile that is not flat. A pixel is the mean colour over its square: in closed form where one border
-/// crosses it, from 8 × 8 samples where several do.
+/// crosses it, from 64 samples where several do.
 void paint_tile(const TileRays& rays, const Cell& cell, TilePixels& bgr);
 
 }  // namespace lineservo::vehicle

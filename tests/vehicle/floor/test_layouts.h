@@ -18,11 +18,11 @@ inline std::size_t add_node(Layout& layout, std::string name, Eigen::Vector2d p_
 }
 
 inline void add_line(Layout& layout, std::size_t from, std::size_t to, double width_m) {
-  layout.edges.push_back(
-      {from, to, Curve::line(layout.nodes[from].p_W, layout.nodes[to].p_W), width_m});
+  layout.edges.push_back({from, to, Curve::line(layout.nodes[from].p_W, layout.nodes[to].p_W), width_m});
 }
 
-/// A grid of columns × rows nodes, node (i, j) at index i rows + j, all neighbours joined; a red disc on (0, 0).
+/// A grid of columns × rows nodes, node (i, j) at index i rows + j, all neighbours joined; a red disc on (0,
+/// 0).
 inline Layout grid(int columns, int rows, Eigen::Vector2d spacing_m, double width_m) {
   Layout layout;
   layout.name = "grid";
@@ -56,13 +56,13 @@ inline Layout single_line(Eigen::Vector2d from_W, Eigen::Vector2d to_W, double w
   return layout;
 }
 
-/// Stripes from the origin outwards at the given headings, 3 m long.
+/// Stripes from the origin outwards at the given headings, 10 m long.
 inline Layout star(const std::vector<double>& headings_rad, double width_m) {
   Layout layout;
   layout.name = "star";
   add_node(layout, "hub", {0.0, 0.0});
   for (const double heading_rad : headings_rad) {
-    const Eigen::Vector2d tip_W(3.0 * std::cos(heading_rad), 3.0 * std::sin(heading_rad));
+    const Eigen::Vector2d tip_W(10.0 * std::cos(heading_rad), 10.0 * std::sin(heading_rad));
     add_line(layout, 0, add_node(layout, "tip" + std::to_string(layout.nodes.size()), tip_W), width_m);
   }
   return layout;
