@@ -1,0 +1,73 @@
+// What a synthetic frame costs: 640×480, f = 320 px, 0.5 m above the warehouse and the other shipped shapes.
+#include <benchmark/benchmark.h>
+
+#include <opencv2/core.hpp>
+
+#include "tests/vehicle/floor/render_oracle.h"
+#include "tests/vehicle/floor/test_layouts.h"
+#include "vehicle/floor/floor_renderer.h"
+#include "vehicle/floor/image_noise.h"
+
+namespace lineservo::vehicle {
+namespace {
+
+using test::camera_pose;
+
+struct Scene {
+  Layout layout;
+  Eigen::Isometry3d X_WC;
+};
+
+Scene along_an_aisle() {
+  return {test::warehouse(), camera_pose({6.0, 0.62, 0.5}, 0.03, 0.02, -0.02)};
+}
+Scene over_a_cross() {
+  return {test::warehouse(), camera_pose({4.22, 0.58 + 6.8 / 3.0, 0.5}, 0.03, 0.02, -0.02)};
+}
+Scene over_the_start() {
+  return {test::warehouse(), camera_pose({0.62, 0.58, 0.5}, 0.03, 0.02, -0.02)};
+}
+Scene on_a_circle() {
+  return {test::circle(), camera_pose({5.28, 0.1, 0.5}, 1.55, 0.02, -0.02)};
+}
+
+template <Scene (*scene)()>
+void draw(benchmark::State& state, const features::CameraModel& camera, double noise_sigma) {
+  const Scene seen = scene();
+  FloorRenderer renderer(seen.layout, camera);
+  const ImageNoise noise(noise_sigma, 1);
+  cv::Mat bgr;
+  std::int64_t frame = 0;
+  for (auto _ : state) {
+    renderer.render(seen.X_WC, bgr);
+    noise.add(frame++, bgr);
+    benchmark::DoNotOptimize(bgr.data);
+    benchmark::ClobberMemory();
+  }
+}
+
+template <Scene (*scene)()>
+void plain(benchmark::State& state) {
+  draw<scene>(state, test::pinhole(), 0.0);
+}
+template <Scene (*scene)()>
+void noisy(benchmark::State& state) {
+  draw<scene>(state, test::pinhole(), 2.0 / 255.0);
+}
+template <Scene (*scene)()>
+void distorted(benchmark::State& state) {
+  draw<scene>(state, test::distorting(), 0.0);
+}
+
+BENCHMARK(plain<along_an_aisle>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(plain<over_a_cross>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(plain<over_the_start>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(plain<on_a_circle>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(noisy<along_an_aisle>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(noisy<over_a_cross>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(distorted<along_an_aisle>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(distorted<over_a_cross>)->Unit(benchmark::kMicrosecond);
+BENCHMARK(distorted<on_a_circle>)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace lineservo::vehicle

@@ -1,0 +1,117 @@
+#include "vehicle/floor/synthetic_camera.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "tests/vehicle/floor/render_oracle.h"
+#include "tests/vehicle/floor/test_layouts.h"
+
+namespace lineservo::vehicle {
+namespace {
+
+using namespace std::chrono_literals;
+
+Eigen::Isometry3d body_at(double x_m, double y_m, double height_m) {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.translation() << x_m, y_m, height_m;
+  return X_WB;
+}
+
+SyntheticCameraOptions small_camera(double frame_rate_hz, double latency_s, double noise_sigma) {
+  SyntheticCameraOptions options;
+  options.camera = {64, 48, 32.0, 32.0, 31.5, 23.5, {}};
+  options.frame_rate_hz = frame_rate_hz;
+  options.latency_s = latency_s;
+  options.noise_sigma = noise_sigma;
+  return options;
+}
+
+SyntheticCamera camera(double frame_rate_hz, double latency_s, double noise_sigma = 0.0,
+                       std::uint64_t seed = 1) {
+  return SyntheticCamera(test::warehouse(), small_camera(frame_rate_hz, latency_s, noise_sigma), seed);
+}
+
+TEST(SyntheticCamera, ExposesAtMultiplesOfThePeriodWithoutDrift) {
+  SyntheticCamera cam = camera(30.0, 0.0);
+  const Eigen::Isometry3d X_WB = body_at(4.2, 0.6, 0.5);
+  for (std::int64_t k = 0; k < 3000; ++k) {
+    const Time expected((k * 1'000'000'000 + 15) / 30);
+    ASSERT_EQ(cam.next_exposure(), expected);
+    ASSERT_FALSE(cam.due(expected - 1ns));
+    ASSERT_TRUE(cam.due(expected));
+    cam.capture(expected, X_WB);
+    ASSERT_EQ(cam.deliver(expected)->index, k);
+  }
+}
+
+TEST(SyntheticCamera, DeliversALatencyAfterTheExposureInOrder) {
+  SyntheticCamera cam = camera(100.0, 0.025);
+  const Eigen::Isometry3d X_WB = body_at(4.2, 0.6, 0.5);
+  EXPECT_FALSE(cam.deliver(1s).has_value());
+  for (const Time now : {0ms, 10ms, 20ms}) cam.capture(now, X_WB);
+  EXPECT_FALSE(cam.deliver(25ms - 1ns).has_value());
+  EXPECT_EQ(cam.deliver(25ms)->stamp, Time(0));
+  EXPECT_FALSE(cam.deliver(25ms).has_value());
+  EXPECT_EQ(cam.deliver(50ms)->stamp, Time(10ms));
+  EXPECT_EQ(cam.deliver(50ms)->index, 2);
+}
+
+TEST(SyntheticCamera, SkipsExposuresThatWereMissed) {
+  SyntheticCamera cam = camera(100.0, 0.0);
+  cam.capture(35ms, body_at(4.2, 0.6, 0.5));
+  const std::optional<Frame> frame = cam.deliver(35ms);
+  EXPECT_EQ(frame->index, 3);
+  EXPECT_EQ(frame->stamp, Time(35ms));
+  EXPECT_EQ(cam.next_exposure(), Time(40ms));
+}
+
+TEST(SyntheticCamera, TheTopOfTheImageIsForward) {
+  SyntheticCamera cam = camera(10.0, 0.0);
+  // 0.5 m short of column 1 facing it: the column lies ahead, at the top; row 0 is in the middle.
+  cam.capture(0ms, body_at(4.2 - 0.5, 0.6, 0.7));
+  const cv::Mat bgr = cam.deliver(0ms)->bgr;
+  EXPECT_EQ(bgr.at<cv::Vec3b>(47, 2), cv::Vec3b(120, 120, 120));
+  EXPECT_EQ(bgr.at<cv::Vec3b>(47, 61), cv::Vec3b(120, 120, 120));
+  EXPECT_EQ(bgr.at<cv::Vec3b>(1, 2), cv::Vec3b(0, 200, 230));     // left of forward is +y: painted
+  EXPECT_EQ(bgr.at<cv::Vec3b>(1, 61), cv::Vec3b(120, 120, 120));  // column 1 starts on row 0
+  EXPECT_EQ(bgr.at<cv::Vec3b>(24, 32), cv::Vec3b(0, 200, 230));
+}
+
+TEST(SyntheticCamera, TheSameSeedGivesTheSameFrames) {
+  SyntheticCamera one = camera(10.0, 0.0, 0.02, 1), same = camera(10.0, 0.0, 0.02, 1),
+                  other = camera(10.0, 0.0, 0.02, 2);
+  for (SyntheticCamera* cam : {&one, &same, &other}) cam->capture(0ms, body_at(4.2, 0.6, 0.5));
+  const cv::Mat frame = one.deliver(0ms)->bgr;
+  EXPECT_EQ(cv::norm(frame, same.deliver(0ms)->bgr, cv::NORM_INF), 0.0);
+  EXPECT_GT(cv::norm(frame, other.deliver(0ms)->bgr, cv::NORM_INF), 0.0);
+}
+
+TEST(SyntheticCamera, ReusesBuffersButNeverOneThatIsHeld) {
+  SyntheticCamera cam = camera(100.0, 0.0);
+  cam.capture(0ms, body_at(4.2, 0.6, 0.5));
+  const Frame held = *cam.deliver(0ms);
+  const cv::Mat copy = held.bgr.clone();
+  std::set<const std::uint8_t*> buffers;
+  for (int k = 1; k < 50; ++k) {
+    cam.capture(k * 10ms, body_at(6.0, 1.5, 0.5));
+    buffers.insert(cam.deliver(k * 10ms)->bgr.data);
+  }
+  EXPECT_EQ(buffers.size(), 1U);
+  EXPECT_EQ(buffers.count(held.bgr.data), 0U);
+  EXPECT_EQ(cv::norm(held.bgr, copy, cv::NORM_INF), 0.0);
+}
+
+TEST(SyntheticCamera, RefusesOptionsOutOfBounds) {
+  EXPECT_THROW(camera(0.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(camera(1001.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(camera(30.0, -0.001), std::invalid_argument);
+  EXPECT_THROW(camera(30.0, 1.001), std::invalid_argument);
+  EXPECT_THROW(camera(30.0, 0.0, 0.2), std::invalid_argument);
+  EXPECT_NO_THROW(camera(1000.0, 1.0, 0.1));
+}
+
+}  // namespace
+}  // namespace lineservo::vehicle

@@ -1,0 +1,69 @@
+#include "vehicle/floor/synthetic_camera.h"
+
+#include <cassert>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "features/geometry/level_view.h"
+
+namespace lineservo::vehicle {
+namespace {
+
+SyntheticCameraOptions valid(const SyntheticCameraOptions& options) {
+  if (!(options.frame_rate_hz >= 0.1 && options.frame_rate_hz <= 1000.0))
+    throw std::invalid_argument("camera: the frame rate must be 0.1 to 1000 Hz");
+  if (!(options.latency_s >= 0.0 && options.latency_s <= 1.0))
+    throw std::invalid_argument("camera: the latency must be 0 to 1 s");
+  return options;
+}
+
+Time exposure(std::int64_t index, double frame_rate_hz) {
+  return Time(std::llround(static_cast<double>(index) * 1e9 / frame_rate_hz));
+}
+
+Eigen::Isometry3d down_camera_X_BC() {
+  Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();
+  X_BC.linear() = features::down_camera_R_BC();
+  return X_BC;
+}
+
+}  // namespace
+
+SyntheticCamera::SyntheticCamera(const Layout& layout, const SyntheticCameraOptions& options,
+                                 std::uint64_t seed)
+    : frame_rate_hz_(valid(options).frame_rate_hz),
+      latency_(from_seconds(options.latency_s)),
+      camera_(options.camera),
+      renderer_(layout, camera_),
+      noise_(options.noise_sigma, seed) {}
+
+Time SyntheticCamera::next_exposure() const {
+  return exposure(next_index_, frame_rate_hz_);
+}
+
+void SyntheticCamera::capture(Time now, const Eigen::Isometry3d& X_WB) {
+  assert(due(now));
+  while (exposure(next_index_ + 1, frame_rate_hz_) <= now) ++next_index_;
+  Frame frame{now, next_index_++, free_buffer()};
+  renderer_.render(X_WB * down_camera_X_BC(), frame.bgr);
+  noise_.add(frame.index, frame.bgr);
+  queue_.push_back(frame);
+}
+
+std::optional<Frame> SyntheticCamera::deliver(Time now) {
+  if (queue_.empty() || now < queue_.front().stamp + latency_) return std::nullopt;
+  std::optional<Frame> frame(std::move(queue_.front()));
+  queue_.pop_front();
+  return frame;
+}
+
+// A buffer that nobody but the pool refers to; a new one only while more are held than ever before.
+cv::Mat SyntheticCamera::free_buffer() {
+  for (const cv::Mat& buffer : buffers_)
+    if (buffer.u->refcount == 1) return buffer;
+  buffers_.emplace_back(camera_.height_px(), camera_.width_px(), CV_8UC3);
+  return buffers_.back();
+}
+
+}  // namespace lineservo::vehicle

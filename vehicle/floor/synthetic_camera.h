@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <deque>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "features/geometry/camera_model.h"
+#include "vehicle/floor/floor_renderer.h"
+#include "vehicle/floor/image_noise.h"
+#include "vehicle/floor/layout.h"
+#include "vehicle/time.h"
+
+namespace lineservo::vehicle {
+
+struct SyntheticCameraOptions {
+  features::CameraParameters camera;
+  double frame_rate_hz = 30.0;  ///< 0.1 … 1000
+  double latency_s = 0.0;       ///< from mid-exposure to delivery, 0 … 1
+  double noise_sigma = 0.0;     ///< of full scale, 0 … 0.1
+};
+
+/// A delivered image.
+struct Frame {
+  Time stamp{0};           ///< mid-exposure
+  std::int64_t index = 0;  ///< counts exposures from 0
+  cv::Mat bgr;             ///< 8-bit BGR; the camera does not write to it while it is held
+};
+
+/// The down-looking camera at the body origin, mounted as down_camera_R_BC(), over a painted floor. Frame k
+/// is exposed at k / rate and delivered a latency later.
+class SyntheticCamera {
+ public:
+  /// Throws std::invalid_argument that names what is out of bounds in the options or unsound in the layout.
+  SyntheticCamera(const Layout& layout, const SyntheticCameraOptions& options, std::uint64_t seed);
+
+  /// The instant of the next exposure: k / rate rounded to the nanosecond, without drift.
+  Time next_exposure() const;
+  /// The next exposure is now or past.
+  bool due(Time now) const { return now >= next_exposure(); }
+  /// Takes the frame that is due, as seen from the body's pose now, stamps it now and queues it. Exposures
+  /// missed since are skipped. Requires due(now).
+  void capture(Time now, const Eigen::Isometry3d& X_WB);
+  /// The oldest frame that has become available, or none.
+  std::optional<Frame> deliver(Time now);
+
+ private:
+  cv::Mat free_buffer();
+
+  double frame_rate_hz_;
+  Time latency_;
+  features::CameraModel camera_;
+  FloorRenderer renderer_;
+  ImageNoise noise_;
+  std::int64_t next_index_ = 0;
+  std::deque<Frame> queue_;
+  std::vector<cv::Mat> buffers_;
+};
+
+}  // namespace lineservo::vehicle

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include "features/geometry/camera_model.h"
+
+namespace lineservo::vehicle {
+
+/// The image is drawn in tiles of this many pixels.
+inline constexpr int kTileWidth_px = 16;
+inline constexpr int kTileHeight_px = 8;
+inline constexpr int kTilePixels = kTileWidth_px * kTileHeight_px;
+
+/// An upright rectangle of the normalised image plane.
+struct RayRect {
+  float x = 0.0F, y = 0.0F;            ///< centre
+  float half_x = 0.0F, half_y = 0.0F;  ///< half sides
+};
+
+/// How normalised coordinates change per pixel: ∂(x, y)/∂(u, v).
+struct RayJacobian {
+  float x_u = 0.0F, x_v = 0.0F, y_u = 0.0F, y_v = 0.0F;
+};
+
+/// The rays of the pixels of one tile, row by row, lens distortion taken out.
+struct TileRays {
+  const float* x = nullptr;  ///< kTilePixels normalised coordinates
+  const float* y = nullptr;
+  RayJacobian slope;  ///< at the tile's centre
+};
+
+/// The rays of a camera's pixels, and bounds of them, tile by tile: what of the drawing depends on the camera
+/// alone. Immutable.
+class TileGrid {
+ public:
+  explicit TileGrid(const features::CameraModel& camera);
+
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  TileRays rays(int row, int column) const;
+  /// Bounds of the rays through a tile, a row of tiles, and the frame; whole pixels, not just their centres.
+  const RayRect& tile_rect(int row, int column) const { return tile_rects_[index(row, column)]; }
+  const RayRect& row_rect(int row) const { return row_rects_[static_cast<std::size_t>(row)]; }
+  const RayRect& frame_rect() const { return frame_rect_; }
+
+ private:
+  std::size_t index(int row, int column) const { return static_cast<std::size_t>(row * columns_ + column); }
+  void store_separable_rays(const features::CameraModel& camera);
+  void store_distorted_rays(const features::CameraModel& camera);
+  void store_slopes(const features::CameraModel& camera);
+  void store_rects();
+
+  int width_px_;
+  int height_px_;
+  int columns_;
+  int rows_;
+  // Without distortion x depends on the column alone and y on the row alone: one block for each.
+  bool is_separable_;
+  std::vector<float> x_;
+  std::vector<float> y_;
+  std::vector<RayJacobian> slopes_;
+  std::vector<RayRect> tile_rects_;
+  std::vector<RayRect> row_rects_;
+  RayRect frame_rect_;
+};
+
+}  // namespace lineservo::vehicle

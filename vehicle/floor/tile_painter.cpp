@@ -1,0 +1,216 @@
+#include "vehicle/floor/tile_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vehicle/floor/clones.h"
+
+namespace lineservo::vehicle {
+namespace {
+
+using Plane = std::array<float, kTilePixels>;
+
+// The pixel's square against a straight border with the unit normal (cos, sin) in the image: the covered area
+// as a function of the signed distance e of the pixel's centre. With a = max(|cos|, |sin|), b = min of them,
+// it is the convolution of boxes of the widths a and b with a step: 1/2 ± A(|e|),
+//   A(t) = min(t, (a + b)/2)/a − m²/(2 a b),   m = clamp(t − (a − b)/2, 0, b).
+inline float covered_area(float e, float a, float b) {
+  const float t = std::abs(e);
+  const float half = 0.5F * (a + b);
+  const float m = std::min(std::max(t - 0.5F * (a - b), 0.0F), b);
+  const float area = t >= half ? 0.5F : t / a - m * m / (2.0F * a * b);
+  return e >= 0.0F ? 0.5F + area : 0.5F - area;
+}
+
+// Keeps m²/(2 a b) finite for a border along the pixel grid; it moves no area by more than 1e-4.
+constexpr float kLeastSlope = 1e-4F;
+
+// Image gradient of a border function by the chain rule; e = −F/|∇F| is the distance in pixels.
+struct PixelSlope {
+  float per_F, a, b;
+};
+inline PixelSlope pixel_slope(float F_x, float F_y, const RayJacobian& j) {
+  const float F_u = F_x * j.x_u + F_y * j.y_u, F_v = F_x * j.x_v + F_y * j.y_v;
+  const float per_F = 1.0F / std::max(std::sqrt(F_u * F_u + F_v * F_v), 1e-20F);
+  const float c = std::abs(F_u) * per_F, s = std::abs(F_v) * per_F;
+  return {per_F, std::max(c, s), std::max(std::min(c, s), kLeastSlope)};
+}
+
+LINESERVO_CLONES void straight_coverage(const TileRays& rays, const ImageBorder& border, float* coverage) {
+  const LinearForm l0 = border.l0;
+  const PixelSlope slope = pixel_slope(l0.x, l0.y, rays.slope);
+  for (int i = 0; i < kTilePixels; ++i)
+    coverage[i] = covered_area(-l0.at(rays.x[i], rays.y[i]) * slope.per_F, slope.a, slope.b);
+}
+
+LINESERVO_CLONES void round_coverage(const TileRays& rays, const ImageBorder& border, float* coverage) {
+  const LinearForm l0 = border.l0, l1 = border.l1, l2 = border.l2;
+  const float sign = border.sign;
+  const RayJacobian j = rays.slope;
+  for (int i = 0; i < kTilePixels; ++i) {
+    const float f1 = l1.at(rays.x[i], rays.y[i]), f2 = l2.at(rays.x[i], rays.y[i]);
+    const float r = std::max(std::sqrt(f1 * f1 + f2 * f2), 1e-20F);
+    const float F_x = (f1 * l1.x + f2 * l2.x) / r + l0.x, F_y = (f1 * l1.y + f2 * l2.y) / r + l0.y;
+    const PixelSlope slope = pixel_slope(F_x, F_y, j);
+    coverage[i] = covered_area(-sign * (r + l0.at(rays.x[i], rays.y[i])) * slope.per_F, slope.a, slope.b);
+  }
+}
+
+void border_coverage(const TileRays& rays, const ImageBorder& border, Plane& coverage) {
+  (border.is_round ? round_coverage : straight_coverage)(rays, border, coverage.data());
+}
+
+LINESERVO_CLONES void interleave(const Plane& b, const Plane& g, const Plane& r, TilePixels& bgr) {
+  for (std::size_t i = 0; i < kTilePixels; ++i) {
+    bgr[3 * i] = static_cast<std::uint8_t>(static_cast<int>(b[i] + 0.5F));
+    bgr[3 * i + 1] = static_cast<std::uint8_t>(static_cast<int>(g[i] + 0.5F));
+    bgr[3 * i + 2] = static_cast<std::uint8_t>(static_cast<int>(r[i] + 0.5F));
+  }
+}
+
+// A tile as it builds up: three colour planes, and how many borders cross each pixel's visible paint.
+struct Layers {
+  std::array<Plane, 3> bgr;
+  Plane crossings;
+};
+
+// One shape: the product of its borders' coverages, and the number of borders that cross the pixel.
+struct ShapeCoverage {
+  Plane area;
+  Plane crossings;
+};
+
+LINESERVO_CLONES void restrict_to(const float* border_area, ShapeCoverage& shape) {
+  for (std::size_t i = 0; i < kTilePixels; ++i) {
+    const float c = border_area[i];
+    shape.area[i] *= c;
+    shape.crossings[i] += c > 0.0F && c < 1.0F ? 1.0F : 0.0F;
+  }
+}
+
+// out = under (1 − area) + colour area
+LINESERVO_CLONES void lay(const float* area, float colour, float* plane) {
+  for (int i = 0; i < kTilePixels; ++i) plane[i] += (colour - plane[i]) * area[i];
+}
+
+// Where the shape covers the pixel nothing below matters; where it misses it, its borders do not.
+LINESERVO_CLONES void count_crossings(const ShapeCoverage& shape, float* crossings) {
+  for (std::size_t i = 0; i < kTilePixels; ++i) {
+    const float below = shape.area[i] < 1.0F ? crossings[i] : 0.0F;
+    crossings[i] = below + (shape.area[i] > 0.0F ? shape.crossings[i] : 0.0F);
+  }
+}
+
+void lay_shape(const TileRays& rays, const CrossedShape& shape, Layers& layers) {
+  ShapeCoverage covered;
+  covered.area.fill(1.0F);
+  covered.crossings.fill(0.0F);
+  Plane border_area;
+  for (int k = 0; k < shape.border_count; ++k) {
+    border_coverage(rays, *shape.borders[static_cast<std::size_t>(k)], border_area);
+    restrict_to(border_area.data(), covered);
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+    lay(covered.area.data(), static_cast<float>(shape.colour[c]), layers.bgr[c].data());
+  count_crossings(covered, layers.crossings.data());
+}
+
+constexpr std::size_t kSamples = 64;
+using SamplePlane = std::array<float, kSamples>;
+
+// Hammersley's points: no two in one column or row of 64, so that an upright border is worth 1/64 of a pixel,
+// where a grid of 8 × 8 gives 1/8.
+struct SamplePattern {
+  SamplePlane u = {}, v = {};
+};
+constexpr SamplePattern hammersley() {
+  SamplePattern pattern;
+  for (unsigned i = 0; i < kSamples; ++i) {
+    unsigned reversed = 0;
+    for (unsigned bit = 0; bit < 6; ++bit) reversed |= ((i >> bit) & 1U) << (5U - bit);
+    pattern.u[i] = (static_cast<float>(i) + 0.5F) / kSamples - 0.5F;
+    pattern.v[i] = (static_cast<float>(reversed) + 0.5F) / kSamples - 0.5F;
+  }
+  return pattern;
+}
+constexpr SamplePattern kPattern = hammersley();
+
+struct Samples {
+  SamplePlane x, y;
+  std::array<SamplePlane, 3> bgr;
+};
+
+LINESERVO_CLONES void place_samples(const TileRays& rays, std::size_t pixel, Samples& samples) {
+  const RayJacobian j = rays.slope;
+  const float x = rays.x[pixel], y = rays.y[pixel];
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    samples.x[i] = x + j.x_u * kPattern.u[i] + j.x_v * kPattern.v[i];
+    samples.y[i] = y + j.y_u * kPattern.u[i] + j.y_v * kPattern.v[i];
+  }
+}
+
+LINESERVO_CLONES void keep_painted(const ImageBorder& border, const Samples& samples, float* painted) {
+  const LinearForm l0 = border.l0, l1 = border.l1, l2 = border.l2;
+  const float sign = border.sign;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const float f1 = l1.at(samples.x[i], samples.y[i]), f2 = l2.at(samples.x[i], samples.y[i]);
+    const float F = sign * (std::sqrt(f1 * f1 + f2 * f2) + l0.at(samples.x[i], samples.y[i]));
+    painted[i] = F <= 0.0F ? painted[i] : 0.0F;
+  }
+}
+
+LINESERVO_CLONES void paint_samples(const float* painted, float colour, float* plane) {
+  for (std::size_t i = 0; i < kSamples; ++i) plane[i] = painted[i] > 0.0F ? colour : plane[i];
+}
+
+// Exact: a sum of at most 64 whole numbers.
+float mean(const SamplePlane& plane) {
+  float sum = 0.0F;
+  for (const float value : plane) sum += value;
+  return sum / kSamples;
+}
+
+void sample_pixel(const TileRays& rays, const Cell& cell, std::size_t pixel, Layers& layers) {
+  Samples samples;
+  place_samples(rays, pixel, samples);
+  for (std::size_t c = 0; c < 3; ++c) samples.bgr[c].fill(static_cast<float>(cell.base[c]));
+  SamplePlane painted;
+  for (const CrossedShape& shape : cell.shapes) {
+    painted.fill(1.0F);
+    for (int k = 0; k < shape.border_count; ++k)
+      keep_painted(*shape.borders[static_cast<std::size_t>(k)], samples, painted.data());
+    for (std::size_t c = 0; c < 3; ++c)
+      paint_samples(painted.data(), static_cast<float>(shape.colour[c]), samples.bgr[c].data());
+  }
+  for (std::size_t c = 0; c < 3; ++c) layers.bgr[c][pixel] = mean(samples.bgr[c]);
+}
+
+void start_from(const Bgr& base, Layers& layers) {
+  for (std::size_t c = 0; c < 3; ++c) layers.bgr[c].fill(static_cast<float>(base[c]));
+}
+
+void paint_single_border(const TileRays& rays, const Cell& cell, Layers& layers) {
+  const CrossedShape& shape = cell.shapes.front();
+  Plane area;
+  border_coverage(rays, *shape.borders[0], area);
+  for (std::size_t c = 0; c < 3; ++c)
+    lay(area.data(), static_cast<float>(shape.colour[c]), layers.bgr[c].data());
+}
+
+void paint_shapes(const TileRays& rays, const Cell& cell, Layers& layers) {
+  layers.crossings.fill(0.0F);
+  for (const CrossedShape& shape : cell.shapes) lay_shape(rays, shape, layers);
+  for (std::size_t i = 0; i < kTilePixels; ++i)
+    if (layers.crossings[i] > 1.0F) sample_pixel(rays, cell, i, layers);
+}
+
+}  // namespace
+
+void paint_tile(const TileRays& rays, const Cell& cell, TilePixels& bgr) {
+  Layers layers;
+  start_from(cell.base, layers);
+  (cell.has_single_border() ? paint_single_border : paint_shapes)(rays, cell, layers);
+  interleave(layers.bgr[0], layers.bgr[1], layers.bgr[2], bgr);
+}
+
+}  // namespace lineservo::vehicle
