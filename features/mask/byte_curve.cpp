@@ -53,6 +53,13 @@ ByteCurve pack(const Tables& t, const std::array<int, 256>& values, const std::b
   return curve;
 }
 
+bool passes_through(const ByteCurve& curve, const std::array<int, 256>& values,
+                    const std::bitset<256>& matters) {
+  for (std::size_t x = 0; x < 256; ++x)
+    if (matters[x] && curve.at(static_cast<int>(x)) != values[x]) return false;
+  return true;
+}
+
 }  // namespace
 
 int ByteCurve::at(int x) const {
@@ -65,10 +72,11 @@ std::optional<ByteCurve> fit_byte_curve(const std::array<int, 256>& values, cons
   std::optional<Tables> tables = solve(values, matters);
   if (!tables.has_value()) return std::nullopt;
   shift_to_zero(*tables);
-  // A group of 16 in which nothing matters keeps whatever it was left with.
-  for (std::size_t h = 0; h < 16; ++h) tables->high[h] = std::max(tables->high[h], 0);
+  // A group of 16 in which nothing matters may have been left below zero.
+  for (int& high : tables->high) high = std::max(high, 0);
   if (!fits_bytes(tables->high) || !fits_bytes(tables->low)) return std::nullopt;
-  return pack(*tables, values, matters);
+  const ByteCurve curve = pack(*tables, values, matters);
+  return passes_through(curve, values, matters) ? std::optional(curve) : std::nullopt;
 }
 
 }  // namespace lineservo::features

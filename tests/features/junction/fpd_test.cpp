@@ -3,10 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
+
+#include "features/junction/code_filter.h"
 
 namespace lineservo::features {
 namespace {
@@ -222,11 +226,13 @@ TEST(ThinTape, AStraightLineNeedsNoColumnCluster) {
     EXPECT_EQ(name(read({x, 200, true, true, false, false, 10, 15}).code), "J2") << x;
 }
 
-// The codes while the node passes from above the image to below it, without repetitions.
+// The held codes while the node passes, pixel by pixel, from above the image to below it, without
+// repetitions. Raw ones hold a J1 wherever an arm shows less than two full bins.
 std::string passing(Junction j) {
+  CodeFilter hold(1);
   std::string codes;
-  for (j.y = -120; j.y <= 520; j.y += 20) {
-    const char digit = name(read(j).code)[1];
+  for (j.y = -120; j.y <= 520; ++j.y) {
+    const char digit = name(hold.update(read(j).code).held)[1];
     if (codes.empty() || codes.back() != digit) codes += digit;
   }
   return codes;
