@@ -1,0 +1,28 @@
+#include "features/mask/frame_classifier.h"
+
+#include "features/mask/avx2_classifier.h"
+#include "features/mask/portable_classifier.h"
+#include "features/mask/red_sector_test.h"
+
+namespace lineservo::features {
+
+Processor best_processor() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") ? Processor::avx2 : Processor::portable;
+#else
+  return Processor::portable;
+#endif
+}
+
+std::unique_ptr<FrameClassifier> make_classifier(const SegmenterOptions& options, cv::Size frame_size,
+                                                 Processor processor) {
+#if defined(__x86_64__)
+  // Colours whose bounds do not fit the byte-wise form take the portable loop, which knows every colour.
+  const std::optional<RedSectorTest> test = make_red_sector_test(options);
+  if (processor == Processor::avx2 && test.has_value())
+    return std::make_unique<Avx2Classifier>(options, *test, frame_size);
+#endif
+  return std::make_unique<PortableClassifier>(options, frame_size);
+}
+
+}  // namespace lineservo::features

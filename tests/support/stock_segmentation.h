@@ -1,0 +1,50 @@
+#pragma once
+
+#include <opencv2/imgproc.hpp>
+
+#include "features/mask/segmenter_options.h"
+
+namespace lineservo::support {
+
+/// topology §2.1 in plain OpenCV calls, step by step: what the packed pipeline must equal and is timed
+/// against.
+class StockSegmentation {
+ public:
+  explicit StockSegmentation(const features::SegmenterOptions& options = {}) : options_(options) {}
+
+  void resize(const cv::Mat& bgr) {
+    cv::resize(bgr, resized, {options_.width_px, options_.height_px}, 0.0, 0.0, cv::INTER_LINEAR);
+  }
+  void classify() {
+    cv::cvtColor(resized, hsv_, cv::COLOR_BGR2HSV);
+    in_range(options_.path, colored);
+    in_range(options_.marker[0], marker);
+    in_range(options_.marker[1], marker_high_);
+    cv::bitwise_or(marker, marker_high_, marker);
+    marker_pixels = cv::countNonZero(marker);
+  }
+  void median() { cv::medianBlur(colored, smooth, 5); }
+  void close() { cv::morphologyEx(smooth, path, cv::MORPH_CLOSE, kernel_); }
+
+  void segment(const cv::Mat& bgr) {
+    resize(bgr);
+    classify();
+    median();
+    close();
+  }
+
+  cv::Mat resized, colored, marker, smooth, path;
+  int marker_pixels = 0;
+
+ private:
+  void in_range(const features::HsvBounds& bounds, cv::Mat& mask) const {
+    cv::inRange(hsv_, cv::Scalar(bounds.h_min, bounds.s_min, bounds.v_min),
+                cv::Scalar(bounds.h_max, bounds.s_max, bounds.v_max), mask);
+  }
+
+  features::SegmenterOptions options_;
+  cv::Mat hsv_, marker_high_;
+  cv::Mat kernel_ = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
+};
+
+}  // namespace lineservo::support
