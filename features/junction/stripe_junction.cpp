@@ -1,0 +1,122 @@
+#include "features/junction/stripe_junction.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "features/geometry/angles.h"
+#include "features/line/stripe_extent.h"
+
+namespace lineservo::features {
+namespace {
+
+constexpr double kStep = 0.02;        // along an arm
+constexpr double kNodeMargin = 0.01;  // paint of the other stripe may reach so far past its border
+
+void require(bool holds, const char* fault) {
+  if (!holds) throw std::invalid_argument(std::string("junction options: ") + fault);
+}
+
+// Both centrelines hold at the centre: N c = ρ with the normals as rows. An error (dρ, dθ) of one moves it by
+// dρ − t dθ along its normal, t = c·n'(θ); the centre's covariance is N⁻¹ diag(σ²) N⁻ᵀ.
+Eigen::Matrix2d centre_covariance(const Eigen::Vector2d& centre, const Eigen::Matrix2d& normals_inverse,
+                                  const Stripe& a, const Stripe& b) {
+  const auto variance = [&centre](const Stripe& stripe) {
+    const Eigen::Vector2d g(1.0, centre.dot(stripe.course.forward()));
+    return g.dot(stripe.feature.covariance * g);
+  };
+  const Eigen::Vector2d variances(variance(a), variance(b));
+  return normals_inverse * variances.asDiagonal() * normals_inverse.transpose();
+}
+
+double distance_from_image_centre_px(const LevelMask& mask, const LevelPoint& centre) {
+  const PixelPoint px = mask.project(centre.vector());
+  return std::hypot(px.x - 0.5 * (mask.mask().width - 1), px.y - 0.5 * (mask.mask().height - 1));
+}
+
+}  // namespace
+
+JunctionFinder::JunctionFinder(const JunctionOptions& options) : options_(options) {
+  require(options.min_angle_rad > 0.0 && options.min_angle_rad < kPi / 2.0,
+          "min_angle_rad must be in (0, π/2)");
+  require(options.looked_at > 0.0, "looked_at must be positive");
+  require(options.min_painted > 0.0 && options.min_painted <= 1.0, "min_painted must be in (0, 1]");
+  require(options.min_seen > 0.0, "min_seen must be positive");
+  require(options.bridged_gap >= 0.0, "bridged_gap must not be negative");
+}
+
+std::optional<StripeJunction> JunctionFinder::find(const LevelMask& mask,
+                                                   const std::vector<Stripe>& stripes) const {
+  std::optional<StripeJunction> nearest;
+  double nearest_px = 0.0;
+  for (std::size_t i = 0; i < stripes.size(); ++i) {
+    for (std::size_t j = i + 1; j < stripes.size(); ++j) {
+      auto junction = meeting(mask, stripes[i], stripes[j]);
+      if (!junction) continue;
+      const double px = distance_from_image_centre_px(mask, junction->feature.centre);
+      if (nearest && px >= nearest_px) continue;
+      nearest = std::move(junction);
+      nearest_px = px;
+    }
+  }
+  return nearest;
+}
+
+std::optional<StripeJunction> JunctionFinder::meeting(const LevelMask& mask, const Stripe& a,
+                                                      const Stripe& b) const {
+  Eigen::Matrix2d normals;
+  normals << a.course.normal().transpose(), b.course.normal().transpose();
+  const double sine = std::abs(normals.determinant());
+  if (sine < std::sin(options_.min_angle_rad)) return std::nullopt;
+  const Eigen::Matrix2d inverse = normals.inverse();
+  const Eigen::Vector2d centre = inverse * Eigen::Vector2d(a.course.rho, b.course.rho);
+
+  StripeJunction junction;
+  junction.feature.centre = {centre.x(), centre.y()};
+  junction.feature.covariance = centre_covariance(centre, inverse, a, b);
+  junction.feature.quality = std::min(a.feature.quality, b.feature.quality);
+  // Inside the other stripe the paint may be the other's; past it, it is the arm's own.
+  const int arms_a = add_arms(mask, a, 0.5 * b.course.width / sine + kNodeMargin, junction);
+  const int arms_b = add_arms(mask, b, 0.5 * a.course.width / sine + kNodeMargin, junction);
+  if (arms_a == 0 || arms_b == 0) return std::nullopt;
+  for (const JunctionArm& arm : junction.arms) junction.feature.arms.push_back(arm.feature);
+  return junction;
+}
+
+int JunctionFinder::add_arms(const LevelMask& mask, const Stripe& stripe, double half_node,
+                             StripeJunction& junction) const {
+  const double centre_along = junction.feature.centre.vector().dot(stripe.course.forward());
+  int found = 0;
+  for (const int way : {+1, -1}) {
+    const auto seen = arm(mask, stripe, centre_along, way, half_node);
+    if (!seen) continue;
+    junction.arms.push_back(*seen);
+    ++found;
+  }
+  return found;
+}
+
+std::optional<JunctionArm> JunctionFinder::arm(const LevelMask& mask, const Stripe& stripe,
+                                               double centre_along, int way, double half_node) const {
+  const double from = centre_along + way * half_node;
+  int seen = 0, painted = 0;
+  for (double gone = 0.5 * kStep; gone < options_.looked_at; gone += kStep) {
+    const CrossSection section = cross_section(mask, stripe.course, from + way * gone);
+    if (section.is_out_of_view()) continue;
+    ++seen;
+    painted += int{section.is_painted()};
+  }
+  if (seen * kStep < options_.min_seen || painted < options_.min_painted * seen) return std::nullopt;
+  const StripeEnd end = follow_paint(mask, stripe.course, from, way, options_.bridged_gap);
+  JunctionArm found;
+  const Eigen::Vector2d along = way * stripe.course.forward();
+  found.feature.angle_rad = std::atan2(-along.x(), -along.y());
+  found.feature.length = std::max(0.0, std::abs(end.along - centre_along) - 0.5 * stripe.course.width);
+  found.width = stripe.course.width;
+  found.leaves_view = end.leaves_view;
+  return found;
+}
+
+}  // namespace lineservo::features

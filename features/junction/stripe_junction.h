@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "features/frame_features.h"
+#include "features/junction/visible_arms.h"
+#include "features/line/stripe.h"
+#include "features/mask/level_mask.h"
+
+namespace lineservo::features {
+
+/// Lengths in normalised units (metres on the floor over the height).
+struct JunctionOptions {
+  double min_angle_rad = 20.0 * 3.14159265358979323846 / 180.0;  ///< between stripes that may meet
+  double looked_at = 0.5;     ///< length of an arm, beyond the node, on which its existence is judged
+  double min_painted = 0.55;  ///< share of that length that is painted
+  double min_seen = 0.02;     ///< of an arm that must be in view at all
+  double bridged_gap = 0.25;  ///< worn paint of this length does not end an arm
+};
+
+/// A place where stripes meet, with what the code rule needs of its arms.
+struct StripeJunction {
+  JunctionFeature feature;
+  std::vector<JunctionArm> arms;  ///< the same arms as in the feature, in the same order
+};
+
+/// Finds where stripes cross or meet; of several places the one nearest to the image centre.
+class JunctionFinder {
+ public:
+  /// Throws std::invalid_argument for options out of bounds.
+  explicit JunctionFinder(const JunctionOptions& options = {});
+
+  std::optional<StripeJunction> find(const LevelMask& mask, const std::vector<Stripe>& stripes) const;
+
+ private:
+  std::optional<StripeJunction> meeting(const LevelMask& mask, const Stripe& a, const Stripe& b) const;
+  int add_arms(const LevelMask& mask, const Stripe& stripe, double half_node, StripeJunction& junction) const;
+  std::optional<JunctionArm> arm(const LevelMask& mask, const Stripe& stripe, double centre_along, int way,
+                                 double half_node) const;
+
+  JunctionOptions options_;
+};
+
+}  // namespace lineservo::features

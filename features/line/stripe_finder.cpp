@@ -1,0 +1,268 @@
+#include "features/line/stripe_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "features/geometry/angles.h"
+#include "features/line/stripe_extent.h"
+
+namespace lineservo::features {
+namespace {
+
+constexpr int kRounds = 10;            // directions tried in each pass
+constexpr double kPeakLength = 0.06;   // of border, for an offset to count
+constexpr double kNear = 0.03;         // of a border: three bins of the vote
+constexpr double kOwn = 0.02;          // of a fitted border: its points
+constexpr double kBesideEnd = 0.05;    // the cap of a dead end lies so near to the end
+constexpr double kFacing = 0.966;      // cos 15°
+constexpr double kUnhinted = 0.5;      // border length for a stripe whose width nobody knows
+constexpr double kGuessQuality = 0.3;  // factor when the width is a guess
+constexpr double kSameDirection_rad = radians(20.0);
+constexpr double kTried_rad = radians(5.0);
+constexpr double kOffsetWeight_rad = 0.1;  // one unit of offset counts as so much of direction
+
+double axis_difference(double a_rad, double b_rad) {
+  return std::abs(std::remainder(a_rad - b_rad, kPi));
+}
+
+void require(bool holds, const char* fault) {
+  if (!holds) throw std::invalid_argument(std::string("stripe options: ") + fault);
+}
+
+}  // namespace
+
+StripeFinder::StripeFinder(const StripeOptions& options) : options_(options) {
+  require(options.max_stripes >= 1 && options.max_stripes <= 32, "max_stripes must be 1 to 32");
+  require(options.min_border_length > 0.0, "min_border_length must be positive");
+  require(options.min_border_widths >= 0.0, "min_border_widths must not be negative");
+  require(options.min_fill > 0.0 && options.min_fill <= 1.0, "min_fill must be in (0, 1]");
+  require(options.min_width > 0.0 && options.min_width < options.max_width,
+          "min_width must be positive and below max_width");
+  require(options.bridged_gap >= 0.0, "bridged_gap must not be negative");
+  require(options.carries_on >= 0.0, "carries_on must not be negative");
+}
+
+void StripeFinder::find(const LevelMask& mask, const std::vector<BorderPoint>& points,
+                        const std::optional<StripePrior>& prior, std::vector<Stripe>& stripes) {
+  mask_ = &mask;
+  points_ = &points;
+  stripes_ = &stripes;
+  stripes.clear();
+  use_.assign(points.size(), PointUse::free);
+  search_pairs();
+  std::replace(use_.begin(), use_.end(), PointUse::deferred, PointUse::free);
+  search_single_borders(prior);
+  rank(prior);
+}
+
+void StripeFinder::search_pairs() {
+  for (int round = 0; round < kRounds && std::ssize(*stripes_) < options_.max_stripes; ++round) {
+    const auto peak = strongest_direction(*points_, use_);
+    if (!peak || peak->length < options_.min_border_length) return;
+    if (!take_pair(peak->theta_rad)) defer_direction(peak->theta_rad);
+  }
+}
+
+void StripeFinder::search_single_borders(const std::optional<StripePrior>& prior) {
+  for (int round = 0; round < kRounds && std::ssize(*stripes_) < options_.max_stripes; ++round) {
+    const auto peak = strongest_direction(*points_, use_);
+    if (!peak || peak->length < options_.min_border_length) return;
+    if (!take_single_border(peak->theta_rad, known_width(prior))) defer_direction(peak->theta_rad);
+  }
+}
+
+bool StripeFinder::take_pair(double theta_rad) {
+  const OffsetVotes votes(*points_, use_, theta_rad);
+  const std::vector<OffsetPeak> falling = votes.peaks(false, kPeakLength);
+  candidates_.clear();
+  for (const OffsetPeak& near : votes.peaks(true, kPeakLength)) {
+    for (const OffsetPeak& far : falling) {
+      const double width = far.rho - near.rho, length = near.length + far.length;
+      if (width < options_.min_width || width > options_.max_width) continue;
+      if (length < std::max(options_.min_border_length, options_.min_border_widths * width)) continue;
+      candidates_.push_back({{theta_rad, 0.5 * (near.rho + far.rho), width}, length});
+    }
+  }
+  std::stable_sort(candidates_.begin(), candidates_.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.border_length > b.border_length; });
+  for (const Candidate& candidate : candidates_) {
+    if (fill(candidate.course, support(candidate.course)) < options_.min_fill) continue;
+    if (accept(candidate.course, WidthIs::free, true)) return true;
+  }
+  return false;
+}
+
+bool StripeFinder::take_single_border(double theta_rad, double known_width) {
+  const OffsetVotes votes(*points_, use_, theta_rad);
+  const double needed =
+      known_width > 0.0 ? std::max(options_.min_border_length, 0.3 * known_width) : kUnhinted;
+  for (const bool rising : {true, false}) {
+    const double side = rising ? 1.0 : -1.0;
+    for (const OffsetPeak& peak : votes.peaks(rising, needed)) {
+      const StripeCourse border{theta_rad, peak.rho, 0.0};
+      const double width = known_width > 0.0 ? known_width : depth_in_view(border, side);
+      if (width < options_.min_width || width > options_.max_width) continue;
+      const StripeCourse course{theta_rad, peak.rho + 0.5 * side * width, width};
+      if (!only_one_border_in_view(course, side)) continue;
+      if (fill(course, support(course)) < options_.min_fill) continue;
+      if (!accept(course, WidthIs::known, false)) continue;
+      if (known_width > 0.0) return true;
+      Stripe& guess = stripes_->back();
+      guess.feature.quality *= kGuessQuality;
+      guess.feature.covariance(0, 0) += 0.25 * width * width;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_borders) {
+  auto fit = fit_stripe(*points_, start, width);
+  if (!fit) return false;
+  // A glimpse of the other border beats the width that was assumed.
+  if (!both_borders && std::min(fit->rising_length, fit->falling_length) > kPeakLength)
+    if (const auto freed = fit_stripe(*points_, fit->course, WidthIs::free)) fit = freed;
+  const double length = fit->rising_length + fit->falling_length;
+  const double per_width = both_borders ? options_.min_border_widths : 0.3;
+  if (length < std::max(options_.min_border_length, per_width * fit->course.width)) return false;
+  const Stripe stripe = measured(*fit, both_borders);
+  if (!is_acceptable(stripe) || repeats(stripe)) return false;
+  stripes_->push_back(stripe);
+  spend_points_of(stripe);
+  return true;
+}
+
+// A stripe is longer than it is wide, unless the view cuts it at both ends.
+bool StripeFinder::is_acceptable(const Stripe& stripe) const {
+  if (stripe.begin.leaves_view && stripe.end.leaves_view) return true;
+  return stripe.end.along - stripe.begin.along >= 1.1 * stripe.course.width;
+}
+
+// The same paint seen at nearly the same angle: what is left over of a bent or ragged stripe.
+bool StripeFinder::repeats(const Stripe& stripe) const {
+  const Eigen::Vector2d middle = stripe.course.at(0.5 * (stripe.begin.along + stripe.end.along), 0.0);
+  return std::any_of(stripes_->begin(), stripes_->end(), [&](const Stripe& other) {
+    if (axis_difference(stripe.course.theta_rad, other.course.theta_rad) > kSameDirection_rad) return false;
+    const double apart = std::abs(middle.dot(other.course.normal()) - other.course.rho);
+    return apart < 0.5 * (stripe.course.width + other.course.width);
+  });
+}
+
+bool StripeFinder::only_one_border_in_view(const StripeCourse& course, double side) const {
+  const Support range = support(course);
+  constexpr int samples = 12;
+  int seen = 0;
+  for (int k = 0; k < samples; ++k) {
+    const double along = range.from + (range.to - range.from) * (k + 0.5) / samples;
+    const Eigen::Vector2d beyond = course.at(along, side * (0.5 * course.width + kNear));
+    seen += int{mask_->at(beyond) != Paint::out_of_view};
+  }
+  return 2 * seen < samples;
+}
+
+void StripeFinder::spend_points_of(const Stripe& stripe) {
+  const Eigen::Vector2d normal = stripe.course.normal();
+  const Eigen::Vector2d forward = stripe.course.forward();
+  const double half = 0.5 * stripe.course.width;
+  for (std::size_t i = 0; i < points_->size(); ++i) {
+    const BorderPoint& point = (*points_)[i];
+    const double across = std::abs(point.p_L.dot(normal) - stripe.course.rho);
+    const double along = point.p_L.dot(forward);
+    const bool beside = along > stripe.begin.along - kBesideEnd && along < stripe.end.along + kBesideEnd;
+    const bool inside = across < half + 0.5 * kOwn && beside;
+    const bool own = across < half + kOwn && std::abs(point.normal.dot(normal)) > kFacing;
+    if (inside || (own && across > half - kOwn)) use_[i] = PointUse::spent;
+  }
+}
+
+void StripeFinder::defer_direction(double theta_rad) {
+  for (std::size_t i = 0; i < points_->size(); ++i)
+    if (use_[i] == PointUse::free && axis_difference((*points_)[i].theta_rad, theta_rad) < kTried_rad)
+      use_[i] = PointUse::deferred;
+}
+
+StripeFinder::Support StripeFinder::support(const StripeCourse& course) const {
+  const Eigen::Vector2d normal = course.normal();
+  const Eigen::Vector2d forward = course.forward();
+  Support range{.from = std::numeric_limits<double>::infinity(),
+                .to = -std::numeric_limits<double>::infinity()};
+  for (const BorderPoint& point : *points_) {
+    if (std::abs(border_residual(point, course, normal)) > kNear) continue;
+    if (std::abs(point.normal.dot(normal)) < kFacing) continue;
+    const double along = point.p_L.dot(forward);
+    range.from = std::min(range.from, along);
+    range.to = std::max(range.to, along);
+    range.length += point.length;
+  }
+  if (range.from > range.to) range = {};
+  return range;
+}
+
+double StripeFinder::fill(const StripeCourse& course, const Support& support) const {
+  constexpr int sections = 16;
+  int seen = 0, painted = 0;
+  for (int k = 0; k < sections; ++k) {
+    const double along = support.from + (support.to - support.from) * (k + 0.5) / sections;
+    const CrossSection section = cross_section(*mask_, course, along);
+    seen += section.in_view;
+    painted += section.painted;
+  }
+  return seen == 0 ? 0.0 : static_cast<double>(painted) / seen;
+}
+
+double StripeFinder::depth_in_view(const StripeCourse& border, double side) const {
+  const double along = support(border).middle();
+  double depth = 0.0;
+  while (depth < options_.max_width && mask_->at(border.at(along, side * (depth + kOwn))) == Paint::painted)
+    depth += kOwn;
+  return depth;
+}
+
+double StripeFinder::known_width(const std::optional<StripePrior>& prior) const {
+  if (!stripes_->empty()) return stripes_->front().course.width;
+  return prior ? prior->width : 0.0;
+}
+
+Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders) const {
+  Stripe stripe{.course = fit.course, .feature = {}, .begin = {}, .end = {}, .both_borders = both_borders};
+  const double middle = support(fit.course).middle();
+  stripe.end = follow_paint(*mask_, fit.course, middle, +1, options_.bridged_gap);
+  stripe.begin = follow_paint(*mask_, fit.course, middle, -1, options_.bridged_gap);
+  const double visible = border_in_view(*mask_, fit.course, stripe.begin.along, stripe.end.along);
+  LineFeature& feature = stripe.feature;
+  feature.rho = fit.course.rho;
+  feature.theta_rad = fit.course.theta_rad;
+  feature.covariance = fit.covariance;
+  feature.width = fit.course.width;
+  feature.quality = std::min(1.0, (fit.rising_length + fit.falling_length) / std::max(visible, 1e-9));
+  const auto point = [&](double along) {
+    const Eigen::Vector2d p = fit.course.at(along, 0.0);
+    return LevelPoint{p.x(), p.y()};
+  };
+  feature.begin = point(stripe.begin.along);
+  feature.end = point(stripe.end.along);
+  return stripe;
+}
+
+void StripeFinder::rank(const std::optional<StripePrior>& prior) {
+  const StripePrior expected = prior.value_or(StripePrior{});
+  const auto carries_on = [this](const Stripe& s) {
+    return s.end.along - s.begin.along >= options_.carries_on;
+  };
+  const auto cost = [&expected](const Stripe& s) {
+    const double turn = wrap_angle(s.course.theta_rad - expected.theta_rad);
+    const bool mirrored = std::abs(turn) > kPi / 2.0;
+    const double rho = mirrored ? -s.course.rho : s.course.rho;
+    return axis_difference(s.course.theta_rad, expected.theta_rad) +
+           kOffsetWeight_rad * std::abs(rho - expected.rho);
+  };
+  std::stable_sort(stripes_->begin(), stripes_->end(), [&](const Stripe& a, const Stripe& b) {
+    if (carries_on(a) != carries_on(b)) return carries_on(a);
+    return cost(a) < cost(b);
+  });
+}
+
+}  // namespace lineservo::features

@@ -1,0 +1,124 @@
+#include "features/line/stripe_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "features/geometry/angles.h"
+
+namespace lineservo::features {
+namespace {
+
+constexpr double kFacing = 0.966;  // cos 15°: a border point must look the stripe's way
+constexpr int kMinPoints = 8;
+constexpr int kIterations = 5;
+constexpr double kFirstReach = 0.03;   // Tukey's cut-off at the start: three bins of the vote
+constexpr double kLeastReach = 0.008;  // and at the end: 1.5 mask pixels
+constexpr double kTukey = 4.685;       // cut-off in σ for 95 % efficiency
+// A border along the pixel grid is rounded the same way all over: averaging does not help that.
+constexpr double kFloor_rho = 5e-4;
+constexpr double kFloor_theta_rad = 2e-4;
+
+struct NormalEquations {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();  // of (dθ, dρ, dw)
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  double weight = 0.0, squares = 0.0, rising_length = 0.0, falling_length = 0.0;
+  int points = 0;
+};
+
+// r = p·n(θ) − ρ ± w/2 (+ where the paint lies at larger ρ), so with t = p·n'(θ): dr = t dθ − dρ ± dw/2.
+NormalEquations accumulate(const std::vector<BorderPoint>& points, const StripeCourse& course, double reach) {
+  NormalEquations sums;
+  const Eigen::Vector2d n = course.normal();
+  const Eigen::Vector2d tangent = -course.forward();
+  const double per_reach = 1.0 / (reach * reach);
+  for (const BorderPoint& point : points) {
+    const double facing = point.normal.dot(n);
+    if (std::abs(facing) < kFacing) continue;
+    const double side = facing > 0.0 ? 0.5 : -0.5;
+    const double r = point.p_L.dot(n) - course.rho + side * course.width;
+    const double u = 1.0 - r * r * per_reach;
+    if (u <= 0.0) continue;
+    const double w = u * u;
+    const double t = point.p_L.dot(tangent);
+    sums.A(0, 0) += w * t * t;
+    sums.A(0, 1) -= w * t;
+    sums.A(0, 2) += w * t * side;
+    sums.A(1, 1) += w;
+    sums.A(1, 2) -= w * side;
+    sums.A(2, 2) += w * side * side;
+    sums.b -= (w * r) * Eigen::Vector3d(t, -1.0, side);
+    sums.weight += w;
+    sums.squares += w * r * r;
+    (facing > 0.0 ? sums.rising_length : sums.falling_length) += point.length;
+    ++sums.points;
+  }
+  sums.A(1, 0) = sums.A(0, 1);
+  sums.A(2, 0) = sums.A(0, 2);
+  sums.A(2, 1) = sums.A(1, 2);
+  return sums;
+}
+
+void hold_width(NormalEquations& sums) {
+  sums.A.row(2).setZero();
+  sums.A.col(2).setZero();
+  sums.A(2, 2) = 1.0;
+  sums.b(2) = 0.0;
+}
+
+bool well_posed(const NormalEquations& sums, WidthIs width) {
+  if (sums.points < kMinPoints) return false;
+  return width == WidthIs::known || (sums.rising_length > 0.0 && sums.falling_length > 0.0);
+}
+
+StripeCourse canonical(StripeCourse course) {
+  course.theta_rad = wrap_angle(course.theta_rad);
+  if (course.theta_rad > kPi / 2.0 || course.theta_rad <= -kPi / 2.0) {
+    course.theta_rad = wrap_angle(course.theta_rad + kPi);
+    course.rho = -course.rho;
+  }
+  return course;
+}
+
+}  // namespace
+
+std::optional<StripeFit> fit_stripe(const std::vector<BorderPoint>& points, const StripeCourse& start,
+                                    WidthIs width) {
+  StripeFit fit{.course = start};
+  double reach = kFirstReach;
+  for (int iteration = 0;; ++iteration) {
+    NormalEquations sums = accumulate(points, fit.course, reach);
+    if (!well_posed(sums, width)) return std::nullopt;
+    if (width == WidthIs::known) hold_width(sums);
+    const Eigen::LDLT<Eigen::Matrix3d> ldlt(sums.A);
+    const Eigen::Vector3d step = ldlt.solve(sums.b);
+    if (!step.allFinite()) return std::nullopt;
+    fit.course.theta_rad += step(0);
+    fit.course.rho += step(1);
+    fit.course.width += step(2);
+    fit.scatter = std::sqrt(sums.squares / sums.weight);
+    fit.rising_length = sums.rising_length;
+    fit.falling_length = sums.falling_length;
+    const bool settled = iteration >= 2 && step.cwiseAbs().maxCoeff() < 1e-5;
+    if (iteration + 1 == kIterations || settled) {
+      const double variance = std::max(fit.scatter * fit.scatter, 1e-6);
+      const Eigen::Matrix3d C = variance * ldlt.solve(Eigen::Matrix3d::Identity());
+      fit.covariance << C(1, 1) + kFloor_rho * kFloor_rho, C(1, 0),  //
+          C(0, 1), C(0, 0) + kFloor_theta_rad * kFloor_theta_rad;
+      break;
+    }
+    reach = std::clamp(kTukey * fit.scatter, kLeastReach, kFirstReach);
+  }
+  if (!(fit.course.width > 0.0)) return std::nullopt;
+  const bool mirrored = std::abs(wrap_angle(fit.course.theta_rad)) > kPi / 2.0;
+  fit.course = canonical(fit.course);
+  if (mirrored) {
+    std::swap(fit.rising_length, fit.falling_length);
+    fit.covariance(0, 1) = -fit.covariance(0, 1);
+    fit.covariance(1, 0) = fit.covariance(0, 1);
+  }
+  return fit;
+}
+
+}  // namespace lineservo::features

@@ -1,0 +1,61 @@
+#include "features/stripe_perception.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "features/geometry/angles.h"
+
+namespace lineservo::features {
+
+StripePerception::StripePerception(const MaskGeometry& geometry, const StripePerceptionOptions& options)
+    : geometry_(geometry),
+      options_(options),
+      border_(options.border),
+      stripe_finder_(options.stripe),
+      junction_finder_(options.junction) {
+  if (!(options.certain_end >= 0.0) || !(options.junction_end >= 0.0))
+    throw std::invalid_argument("stripe perception: lengths of ends must not be negative");
+}
+
+const StripeFeatures& StripePerception::observe(const MaskView& mask, const LevelView& view,
+                                                const std::optional<StripePrior>& prior) {
+  if (mask.width != geometry_.width_px() || mask.height != geometry_.height_px())
+    throw std::invalid_argument("stripe perception: the mask has another size than the geometry");
+  const LevelMask level_mask(mask, geometry_, view);
+  border_.extract(level_mask, points_);
+  stripe_finder_.find(level_mask, points_, prior, stripes_);
+  const auto junction = junction_finder_.find(level_mask, stripes_);
+
+  features_.lines.clear();
+  for (const Stripe& stripe : stripes_) features_.lines.push_back(stripe.feature);
+  features_.junction.reset();
+  features_.arms = {};
+  if (junction) {
+    features_.junction = junction->feature;
+    features_.arms = visible_arms(level_mask, junction->feature.centre, junction->arms, options_.visibility);
+  }
+  features_.raw = code();
+  features_.line_ends_ahead = ends_ahead(junction);
+  return features_;
+}
+
+// An edge without a node in view is J2; so is one whose node shows no arm yet.
+JunctionCode StripePerception::code() const {
+  if (features_.lines.empty()) return JunctionCode::unrecognised;
+  return features_.arms == Arms{} ? JunctionCode::straight : code_of(features_.arms);
+}
+
+bool StripePerception::ends_ahead(const std::optional<StripeJunction>& junction) const {
+  if (stripes_.empty() || stripes_.front().end.leaves_view) return false;
+  const Stripe& followed = stripes_.front();
+  if (followed.end.bare >= options_.certain_end) return true;
+  if (!junction || followed.end.bare < options_.junction_end) return false;
+  const Eigen::Vector2d forward = followed.course.forward();
+  const double heading_rad = std::atan2(-forward.x(), -forward.y());
+  return std::none_of(junction->arms.begin(), junction->arms.end(), [heading_rad](const JunctionArm& arm) {
+    return std::abs(wrap_angle(arm.feature.angle_rad - heading_rad)) < radians(10.0);
+  });
+}
+
+}  // namespace lineservo::features
