@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "features/mask/mask_view.h"
+
 namespace lineservo::features {
 
 /// A binary image, 64 pixels to a word: pixel (x, y) is bit x mod 64 of word x / 64 of row y.
@@ -31,6 +33,9 @@ class PackedMask {
   std::span<Word> row(int y) { return {words_.data() + index(0, y), row_size()}; }
   /// Which bits of a row's last word are pixels.
   Word last_word_pixels() const { return ~Word{0} >> (words_per_row_ * kWordBits - width_); }
+
+  /// The same pixels, borrowed.
+  MaskView view() const { return {width_, height_, words_per_row_, words_.data()}; }
 
   /// Number of foreground pixels.
   int count() const;

@@ -117,6 +117,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
 
 void Executive::pass_node() {
   const PlanStep& step = plan_.steps[step_];
+  ++nodes_recognised_;
   report("node", std::string(features::name(node_->code)) + (node_->line_ends ? " (line ends)" : "") + ": " +
                      std::string(name(step.manoeuvre)) + " at " + step.node);
   if (step.manoeuvre == Manoeuvre::go_straight) {

@@ -48,6 +48,8 @@ class Executive {
   AbortReason abort_reason() const { return abort_reason_; }
   /// Index of the plan's step that is expected next or being carried out.
   std::size_t step() const { return step_; }
+  /// How many nodes of the plan were recognised as expected.
+  int nodes_recognised() const { return nodes_recognised_; }
   const Plan& plan() const { return plan_; }
   /// The events since the last call.
   std::vector<ExecutiveEvent> take_events();
@@ -84,6 +86,7 @@ class Executive {
   Phase phase_ = Phase::take_off;
   AbortReason abort_reason_ = AbortReason::none;
   std::size_t step_ = 0;
+  int nodes_recognised_ = 0;
   std::optional<NodeSighting> node_;  ///< told in this tick
   Time phase_began_{0};
   Time goal_began_{0};  ///< since when the phase's goal holds

@@ -107,7 +107,7 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
   const std::optional<Route> route = shortest_route(topology, topology.start, target);
   if (!route) throw std::invalid_argument(instruction + ": no painted way leads to " + target_name);
 
-  Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}};
+  Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}, *route};
   double unseen_length_m = 0.0;
   for (std::size_t k = 0; k < route->size(); ++k) {
     PlanStep step = arrive(topology, (*route)[k]);

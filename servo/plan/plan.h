@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "features/junction/junction_code.h"
-#include "servo/plan/topology.h"
+#include "servo/plan/route.h"
 
 namespace lineservo::servo {
 
@@ -35,6 +35,7 @@ struct Plan {
   std::string target;
   double start_heading_rad = 0.0;  ///< of the first edge; where the vehicle is placed facing
   std::vector<PlanStep> steps;     ///< the last one hovers
+  Route route;                     ///< the arms taken; for explaining and scoring only
 };
 
 /// Compiles the way from the start node to a node. Throws std::invalid_argument that says why when there is

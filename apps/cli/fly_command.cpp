@@ -1,0 +1,118 @@
+#include "apps/cli/fly_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <memory>
+#include <optional>
+
+#include "apps/cli/flight_printer.h"
+#include "apps/cli/program.h"
+#include "apps/config/data_folder.h"
+#include "apps/config/flight_request.h"
+#include "apps/config/input_error.h"
+#include "apps/config/layout_file.h"
+#include "apps/config/layout_topology.h"
+#include "apps/flight/flight.h"
+#include "apps/output/flight_summary.h"
+#include "apps/output/flight_tables.h"
+#include "apps/output/result_folder.h"
+
+namespace lineservo::apps {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// As typed; what was not typed keeps the value of --config or the default.
+struct FlyArguments {
+  std::string target;
+  std::optional<std::string> controller, layout, conditions, config, out;
+  std::optional<double> speed_m_s;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> overrides;
+  bool land = false, explain = false, json = false;
+};
+
+FlightRequest request_of(const FlyArguments& a) {
+  FlightRequest request = a.config ? read_config(*a.config) : FlightRequest{};
+  if (!a.config || a.conditions) apply_conditions(request, a.conditions.value_or(request.conditions));
+  if (!a.target.empty()) request.instruction = a.target;
+  if (a.controller) request.controller = *a.controller;
+  if (a.layout) request.layout = *a.layout;
+  if (a.seed) request.seed = *a.seed;
+  if (a.land) request.land = true;
+  if (a.speed_m_s) apply_override(request, fmt::format("speed_m_s={}", *a.speed_m_s));
+  for (const std::string& assignment : a.overrides) apply_override(request, assignment);
+  if (request.instruction.empty())
+    throw InputError("fly: TARGET is missing: an instruction such as a13, or node:NAME");
+  return request;
+}
+
+void write_results(ResultFolder& folder, const FlightRequest& request, const FlightRecord& record,
+                   const FlightSummary& summary) {
+  folder.write("summary.json", to_json(request, summary).dump(2) + "\n");
+  folder.write("flight.csv", flight_csv(record));
+  folder.write("events.csv", events_csv(record));
+  folder.write("config.yaml", config_text(request));
+  folder.publish();
+}
+
+int fly(const FlyArguments& arguments) {
+  const FlightRequest request = request_of(arguments);
+  servo::find_controller(request.controller);
+  const vehicle::Layout floor = read_layout(find_data(DataKind::layout, request.layout));
+  const servo::Topology topology = topology_of(floor);
+  const servo::Plan plan =
+      servo::compile(topology, servo::find_target(topology, request.instruction), request.instruction);
+  if (arguments.explain) {
+    print_plan(plan);
+    return kDone;
+  }
+  std::optional<ResultFolder> folder;
+  if (arguments.out) folder.emplace(*arguments.out);
+
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  ProgressLine line(request.instruction);
+  Flight flight(request, floor, plan);
+  const FlightRecord record = flight.run([&line](const FlightProgress& progress) {
+    line.show(progress);
+    return interrupted == 0;
+  });
+  line.clear();
+  const FlightSummary summary = summarise(request, floor, plan, record);
+  if (folder) write_results(*folder, request, record, summary);
+  if (arguments.json) {
+    fmt::print("{}\n", to_json(request, summary).dump(2));
+  } else {
+    print_summary(request, record, summary);
+    if (arguments.out) fmt::print("written to {}\n", *arguments.out);
+  }
+  return summary.succeeded() ? kDone : kFailed;
+}
+
+}  // namespace
+
+void add_fly_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<FlyArguments>();
+  FlyArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand("fly", "fly one instruction in simulation");
+  command->add_option("TARGET", a.target, "an instruction such as a13, or node:NAME");
+  command->add_option("--controller", a.controller,
+                      "the law that flies (default ibvs; lineservo controllers lists them)");
+  command->add_option("--layout", a.layout, "a floor that ships, or a YAML file (default warehouse)");
+  command->add_option("--conditions", a.conditions, "conditions that ship, or a YAML file (default paper)");
+  command->add_option("--speed", a.speed_m_s,
+                      "speed along the line in m/s (default: that of the conditions)");
+  command->add_option("--seed", a.seed, "seed of everything random (default 1)");
+  command->add_option("--set", a.overrides, "KEY=VALUE: any setting of config.yaml; may be repeated")
+      ->take_all();
+  command->add_option("--config", a.config, "the config.yaml of an earlier flight, to repeat it");
+  command->add_flag("--land", a.land, "land on the target instead of hovering");
+  command->add_flag("--explain", a.explain, "print the plan and do not fly");
+  command->add_option("--out", a.out, "folder for summary.json, flight.csv, events.csv and config.yaml");
+  command->add_flag("--json", a.json, "print summary.json instead of the short report");
+  command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace lineservo::apps {
+
+/// The whole command line. Returns the exit code: 0 done, 1 the mission or check failed, 2 wrong usage or bad
+/// input.
+int run_program(int argc, char** argv);
+
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kBadInput = 2;
+
+}  // namespace lineservo::apps

@@ -1,0 +1,39 @@
+#include "apps/cli/test_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "apps/config/input_error.h"
+
+namespace lineservo::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The build folder, upward from the program.
+fs::path build_folder() {
+  for (fs::path at = fs::read_symlink("/proc/self/exe").parent_path(); at != at.root_path();
+       at = at.parent_path()) {
+    if (fs::exists(at / "CTestTestfile.cmake") && fs::exists(at / "CMakeCache.txt")) return at;
+  }
+  throw InputError("test: this program is not in a build folder; run ./lineservo test in the source folder");
+}
+
+/// Does not return when it succeeds: the test runner takes over the process.
+[[noreturn]] void run_ctest() {
+  const std::string folder = build_folder().string();
+  ::execlp("ctest", "ctest", "--test-dir", folder.c_str(), "--output-on-failure", "-j", "2", nullptr);
+  throw InputError(std::string("test: ctest cannot be run: ") + std::strerror(errno));
+}
+
+}  // namespace
+
+void add_test_command(CLI::App& app) {
+  app.add_subcommand("test", "build (through ./lineservo) and run the test suite")->callback(run_ctest);
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,68 @@
+#include "apps/config/data_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "apps/config/input_error.h"
+#include "apps/config/yaml_reader.h"
+
+namespace lineservo::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder_of(DataKind kind) {
+  return kind == DataKind::layout ? "layouts" : "conditions";
+}
+std::string word_for(DataKind kind) {
+  return kind == DataKind::layout ? "layout" : "conditions";
+}
+
+/// data/ of the source tree or share/lineservo/data of an installation, found upward from the program.
+fs::path data_root() {
+  if (const char* set = std::getenv("LINESERVO_DATA")) return set;
+  std::error_code error;
+  fs::path at = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (; !at.empty() && at != at.root_path(); at = at.parent_path()) {
+    for (const fs::path& candidate : {at / "data", at / "share/lineservo/data"}) {
+      if (fs::is_directory(candidate / "layouts", error)) return candidate;
+    }
+  }
+  throw InputError("the data folder of lineservo was not found; set LINESERVO_DATA to it");
+}
+
+std::vector<fs::path> shipped(DataKind kind) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(data_root() / folder_of(kind))) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+fs::path find_data(DataKind kind, const std::string& name_or_path) {
+  std::string names;
+  for (const fs::path& file : shipped(kind)) {
+    if (file.stem() == name_or_path) return file;
+    names += (names.empty() ? "" : ", ") + file.stem().string();
+  }
+  std::error_code error;
+  if (fs::is_regular_file(name_or_path, error)) return name_or_path;
+  throw InputError(fmt::format("no {} '{}': give the path of a YAML file or one of: {}", word_for(kind),
+                               name_or_path, names));
+}
+
+std::vector<DataEntry> list_data(DataKind kind) {
+  std::vector<DataEntry> entries;
+  for (const fs::path& file : shipped(kind)) {
+    const YamlReader yaml(file);
+    entries.push_back({file.stem().string(), yaml.text(yaml.root(), "description", "")});
+  }
+  return entries;
+}
+
+}  // namespace lineservo::apps

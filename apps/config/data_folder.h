@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lineservo::apps {
+
+/// A kind of file that ships with the program.
+enum class DataKind { layout, conditions };
+
+/// The file that a user means: a name that ships ("warehouse") or a path to a file of one's own. Throws
+/// InputError, with the names that there are, for anything else.
+std::filesystem::path find_data(DataKind kind, const std::string& name_or_path);
+
+/// What ships of a kind: name and description, in order of names.
+struct DataEntry {
+  std::string name;
+  std::string description;
+};
+std::vector<DataEntry> list_data(DataKind kind);
+
+}  // namespace lineservo::apps

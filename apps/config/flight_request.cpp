@@ -1,0 +1,122 @@
+#include "apps/config/flight_request.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "apps/config/data_folder.h"
+#include "apps/config/input_error.h"
+#include "apps/config/settings_table.h"
+#include "apps/config/yaml_reader.h"
+#include "apps/version.h"
+
+namespace lineservo::apps {
+namespace {
+
+/// Takes the keys of the mission itself; false when the key is a setting.
+bool take_mission_key(FlightRequest& request, const YamlEntry& entry, const std::string& where) {
+  if (entry.key == "version") return true;
+  if (entry.key == "instruction") return request.instruction = entry.text, true;
+  if (entry.key == "controller") return request.controller = entry.text, true;
+  if (entry.key == "layout") return request.layout = entry.text, true;
+  if (entry.key == "conditions") return request.conditions = entry.text, true;
+  if (entry.key == "land") {
+    if (entry.text != "true" && entry.text != "false")
+      throw InputError(where + ": 'land' must be true or false");
+    return request.land = entry.text == "true", true;
+  }
+  if (entry.key == "seed") {
+    const char* end = entry.text.data() + entry.text.size();
+    const auto [stop, error] = std::from_chars(entry.text.data(), end, request.seed);
+    if (error != std::errc{} || stop != end)
+      throw InputError(where + ": 'seed' must be a whole number from 0");
+    return true;
+  }
+  return false;
+}
+
+std::string where_is(const YamlReader& yaml, const YamlEntry& entry) {
+  return fmt::format("{}:{}", yaml.file().string(), entry.line);
+}
+
+/// Writes "a.b: x" as nested maps, opening the groups that the key before did not have.
+class NestedWriter {
+ public:
+  void add(const std::string& key, const std::string& value) {
+    const std::size_t dot = key.rfind('.');
+    const std::string group = dot == std::string::npos ? "" : key.substr(0, dot);
+    open(group);
+    text_ += fmt::format("{:{}}{}: {}\n", "", 2 * depth(group),
+                         dot == std::string::npos ? key : key.substr(dot + 1), value);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  static std::size_t depth(const std::string& group) {
+    return group.empty() ? 0 : 1 + static_cast<std::size_t>(std::count(group.begin(), group.end(), '.'));
+  }
+  void open(const std::string& group) {
+    for (std::size_t end = 0; end < group.size();) {
+      end = std::min(group.find('.', end + 1), group.size());
+      const std::string prefix = group.substr(0, end);
+      const bool is_open = group_ == prefix || group_.rfind(prefix + ".", 0) == 0;
+      if (is_open) continue;
+      const std::size_t dot = prefix.rfind('.');
+      const std::string name = dot == std::string::npos ? prefix : prefix.substr(dot + 1);
+      text_ += fmt::format("{:{}}{}:\n", "", 2 * (depth(prefix) - 1), name);
+      group_ = prefix;
+    }
+    group_ = group;
+  }
+
+  std::string text_;
+  std::string group_;
+};
+
+}  // namespace
+
+void apply_conditions(FlightRequest& request, const std::string& name_or_path) {
+  const YamlReader yaml(find_data(DataKind::conditions, name_or_path));
+  SettingsTable table(request.settings);
+  for (const YamlEntry& entry : yaml.scalars()) {
+    if (entry.key != "description") table.set(entry.key, entry.text, where_is(yaml, entry));
+  }
+  request.conditions = name_or_path;
+}
+
+void apply_override(FlightRequest& request, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError(
+        fmt::format("--set '{}': must be KEY=VALUE, such as camera.frame_rate_hz=30", assignment));
+  }
+  SettingsTable(request.settings).set(assignment.substr(0, equals), assignment.substr(equals + 1), "--set");
+}
+
+FlightRequest read_config(const std::filesystem::path& file) {
+  const YamlReader yaml(file);
+  FlightRequest request;
+  SettingsTable table(request.settings);
+  for (const YamlEntry& entry : yaml.scalars()) {
+    const std::string where = where_is(yaml, entry);
+    if (!take_mission_key(request, entry, where)) table.set(entry.key, entry.text, where);
+  }
+  return request;
+}
+
+std::string config_text(const FlightRequest& request) {
+  FlightRequest copy = request;
+  NestedWriter writer;
+  writer.add("version", std::string(kVersion));
+  writer.add("instruction", request.instruction);
+  writer.add("controller", request.controller);
+  writer.add("layout", request.layout);
+  writer.add("conditions", request.conditions);
+  writer.add("seed", fmt::format("{}", request.seed));
+  writer.add("land", request.land ? "true" : "false");
+  const SettingsTable table(copy.settings);
+  for (const Setting& setting : table.all()) writer.add(setting.key, setting.get());
+  return writer.text();
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "apps/config/settings.h"
+
+namespace lineservo::apps {
+
+/// Everything that decides a flight: what `fly` was asked for, with every setting in force.
+struct FlightRequest {
+  std::string instruction;
+  std::string controller = "ibvs";
+  std::string layout = "warehouse";
+  std::string conditions = "paper";
+  std::uint64_t seed = 1;
+  bool land = false;
+  Settings settings;
+};
+
+/// Puts the settings of conditions (a name that ships, or a file) over those of the request.
+void apply_conditions(FlightRequest& request, const std::string& name_or_path);
+
+/// Puts one KEY=VALUE over those of the request. Throws InputError.
+void apply_override(FlightRequest& request, const std::string& assignment);
+
+/// Reads a config.yaml: the request of an earlier flight. Throws InputError naming file, line and key.
+FlightRequest read_config(const std::filesystem::path& file);
+
+/// The request as config.yaml, with the program's version; reads back to the last bit.
+std::string config_text(const FlightRequest& request);
+
+}  // namespace lineservo::apps

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "features/mask/segmenter_options.h"
+#include "servo/executive/executive.h"
+#include "servo/law/controllers.h"
+#include "vehicle/autopilot/options.h"
+#include "vehicle/body/airframe.h"
+
+namespace lineservo::apps {
+
+struct CameraSettings {
+  int width_px = 640;
+  int height_px = 480;
+  double focal_px = 320.0;
+  std::array<double, 5> distortion = {0.0, 0.0, 0.0, 0.0, 0.0};  ///< k1, k2, p1, p2, k3
+  double frame_rate_hz = 30.0;
+  double latency_s = 0.0;
+  double latency_error_s = 0.0;  ///< bound of what the law takes the latency for, less what it is
+  double noise_levels = 0.0;     ///< standard deviation, in levels of 255
+};
+
+struct FeatureSettings {
+  std::string junction_method = "auto";  ///< "fpd", "stripe", or "auto": the controller's own
+  int junction_window = 5;
+  std::string line_method = "stripe";
+  bool tilt_correction = true;
+};
+
+/// As in the files: degrees where the key says so.
+struct SensorSettings {
+  double gyro_sigma_deg_s = 0.0;
+  double gyro_bias_deg_s = 0.0;
+  double accelerometer_sigma_m_s2 = 0.0;
+  double accelerometer_bias_m_s2 = 0.0;
+  double attitude_sigma_deg = 0.0;
+  double tilt_bias_deg = 0.0;
+  double velocity_sigma_m_s = 0.0;
+  double velocity_bias_m_s = 0.0;
+  double range_sigma_m = 0.0;
+};
+
+struct WindSettings {
+  double mean_m_s = 0.0;
+  double direction_deg = 0.0;  ///< where it blows to, from +x
+};
+
+/// How far off the start node the vehicle is placed, drawn from the seed within these bounds.
+struct StartSettings {
+  double position_spread_m = 0.10;
+  double heading_spread_deg = 5.0;
+};
+
+/// Everything that can be set for a flight; the defaults are the conditions `ideal`.
+struct Settings {
+  double speed_m_s = 0.3;
+  double height_m = 0.5;
+  double time_limit_s = 900.0;
+  CameraSettings camera;
+  FeatureSettings features;
+  SensorSettings sensors;
+  WindSettings wind;
+  StartSettings start;
+  vehicle::AirframeParameters airframe;
+  vehicle::AutopilotOptions autopilot;
+  servo::LawOptions laws;
+  servo::ExecutiveOptions executive;
+};
+
+}  // namespace lineservo::apps

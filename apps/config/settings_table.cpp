@@ -1,0 +1,222 @@
+#include "apps/config/settings_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "apps/config/input_error.h"
+
+namespace lineservo::apps {
+namespace {
+
+template <typename Number>
+std::optional<Number> parse(const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+std::size_t common_prefix(const std::string& a, const std::string& b) {
+  return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+}
+
+/// The keys that share the longest beginning with an unknown one.
+std::string nearest_keys(const std::vector<Setting>& table, const std::string& unknown) {
+  std::size_t best = 0;
+  for (const Setting& s : table) best = std::max(best, common_prefix(s.key, unknown));
+  std::vector<std::string> keys;
+  for (const Setting& s : table) {
+    if (common_prefix(s.key, unknown) == best && keys.size() < 8) keys.push_back(s.key);
+  }
+  return fmt::format("{}", fmt::join(keys, ", "));
+}
+
+}  // namespace
+
+SettingsTable::SettingsTable(Settings& settings) {
+  bind_general(settings);
+  bind_camera(settings.camera);
+  bind_features(settings.features);
+  bind_sensors(settings.sensors);
+  bind_vehicle(settings.airframe, settings.autopilot);
+  bind_laws(settings.laws);
+  bind_executive(settings.executive);
+}
+
+void SettingsTable::bind_general(Settings& s) {
+  number("speed_m_s", s.speed_m_s, 0.01, 2.0);
+  number("height_m", s.height_m, 0.2, 3.0);
+  number("time_limit_s", s.time_limit_s, 1.0, 36000.0);
+  number("wind.mean_m_s", s.wind.mean_m_s, 0.0, 10.0);
+  number("wind.direction_deg", s.wind.direction_deg, -360.0, 360.0);
+  number("start.position_spread_m", s.start.position_spread_m, 0.0, 0.5);
+  number("start.heading_spread_deg", s.start.heading_spread_deg, 0.0, 30.0);
+}
+
+void SettingsTable::bind_camera(CameraSettings& c) {
+  whole("camera.width_px", c.width_px, 64, 4096);
+  whole("camera.height_px", c.height_px, 64, 4096);
+  number("camera.focal_px", c.focal_px, 10.0, 20000.0);
+  number("camera.k1", c.distortion[0], -1.0, 1.0);
+  number("camera.k2", c.distortion[1], -1.0, 1.0);
+  number("camera.p1", c.distortion[2], -0.1, 0.1);
+  number("camera.p2", c.distortion[3], -0.1, 0.1);
+  number("camera.k3", c.distortion[4], -1.0, 1.0);
+  number("camera.frame_rate_hz", c.frame_rate_hz, 1.0, 240.0);
+  number("camera.latency_s", c.latency_s, 0.0, 0.5);
+  number("camera.latency_error_s", c.latency_error_s, 0.0, 0.1);
+  number("camera.noise_levels", c.noise_levels, 0.0, 25.0);
+}
+
+void SettingsTable::bind_features(FeatureSettings& f) {
+  word("features.junction.method", f.junction_method, {"auto", "fpd", "stripe"});
+  whole("features.junction.window", f.junction_window, {1, 3, 5, 7, 9});
+  word("features.line.method", f.line_method, {"stripe"});
+  yes_no("features.tilt_correction", f.tilt_correction);
+}
+
+void SettingsTable::bind_sensors(SensorSettings& s) {
+  number("sensors.gyro_sigma_deg_s", s.gyro_sigma_deg_s, 0.0, 10.0);
+  number("sensors.gyro_bias_deg_s", s.gyro_bias_deg_s, 0.0, 5.0);
+  number("sensors.accelerometer_sigma_m_s2", s.accelerometer_sigma_m_s2, 0.0, 5.0);
+  number("sensors.accelerometer_bias_m_s2", s.accelerometer_bias_m_s2, 0.0, 1.0);
+  number("sensors.attitude_sigma_deg", s.attitude_sigma_deg, 0.0, 5.0);
+  number("sensors.tilt_bias_deg", s.tilt_bias_deg, 0.0, 5.0);
+  number("sensors.velocity_sigma_m_s", s.velocity_sigma_m_s, 0.0, 1.0);
+  number("sensors.velocity_bias_m_s", s.velocity_bias_m_s, 0.0, 0.5);
+  number("sensors.range_sigma_m", s.range_sigma_m, 0.0, 0.5);
+}
+
+void SettingsTable::bind_vehicle(vehicle::AirframeParameters& a, vehicle::AutopilotOptions& o) {
+  number("vehicle.mass_kg", a.mass_kg, 0.02, 20.0);
+  number("vehicle.inertia_x_kg_m2", a.inertia_kg_m2.x(), 1e-6, 5.0);
+  number("vehicle.inertia_y_kg_m2", a.inertia_kg_m2.y(), 1e-6, 5.0);
+  number("vehicle.inertia_z_kg_m2", a.inertia_kg_m2.z(), 1e-6, 5.0);
+  number("vehicle.thrust_coefficient_N_s2", a.thrust_coefficient_N_s2, 1e-10, 1e-2);
+  number("vehicle.moment_coefficient_m", a.moment_coefficient_m, 1e-4, 1.0);
+  number("vehicle.max_rotor_speed_rad_s", a.max_rotor_speed_rad_s, 100.0, 10000.0);
+  number("vehicle.rotor_drag_N_per_rad_s_m_s", a.rotor_drag_N_per_rad_s_m_s, 0.0, 0.01);
+  number("vehicle.motor_lag_up_s", a.motor_lag_up_s, 1e-4, 0.5);
+  number("vehicle.motor_lag_down_s", a.motor_lag_down_s, 1e-4, 0.5);
+  number("vehicle.rotor_radius_m", a.rotor_radius_m, 0.01, 1.0);
+  number("vehicle.body_drag_area_m2", a.body_drag_area_m2, 0.0, 1.0);
+  number("vehicle.believed_mass_ratio", o.believed_mass_ratio, 0.5, 2.0);
+  number("limits.tilt_rad", o.limits.max_tilt_rad, 0.05, 1.0);
+  number("limits.horizontal_speed_m_s", o.limits.max_horizontal_speed_m_s, 0.1, 10.0);
+  number("limits.vertical_speed_m_s", o.limits.max_vertical_speed_m_s, 0.1, 5.0);
+  number("limits.yaw_rate_rad_s", o.limits.max_yaw_rate_rad_s, 0.1, 10.0);
+  number("limits.height_m", o.limits.max_height_m, 0.3, 20.0);
+  number("limits.blind_travel_m", o.limits.max_blind_travel_m, 0.1, 20.0);
+}
+
+void SettingsTable::gain(const std::string& prefix, servo::AdaptiveGain& g) {
+  number(prefix + ".gain_at_zero", g.at_zero, 0.01, 20.0);
+  number(prefix + ".gain_at_infinity", g.at_infinity, 0.01, 20.0);
+  number(prefix + ".gain_slope", g.slope_at_zero, 0.0, 100.0);
+}
+
+void SettingsTable::bind_laws(servo::LawOptions& l) {
+  gain("servo.ibvs", l.ibvs.gain);
+  number("servo.ibvs.drift_time_constant_s", l.ibvs.drift_time_constant_s, 0.05, 60.0);
+  number("servo.ibvs.drift_limit_m_s", l.ibvs.drift_limit_m_s, 0.0, 2.0);
+  number("servo.ibvs.coast_s", l.ibvs.coast_s, 0.0, 5.0);
+  number("servo.ibvs.view_margin", l.ibvs.view_margin, 0.05, 2.0);
+  number("servo.ibvs.view_angle_rad", l.ibvs.view_angle_rad, 0.05, 1.5);
+  number("servo.pid.kp", l.pid.kp, 0.0, 100.0);
+  number("servo.pid.ki", l.pid.ki, 0.0, 100.0);
+  number("servo.pid.kd", l.pid.kd, 0.0, 100.0);
+  number("servo.pid.integral_limit", l.pid.integral_limit, 0.0, 1000.0);
+  number("servo.pid.dead_zone", l.pid.dead_zone, 0.0, 1.0);
+}
+
+void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
+  gain("servo.dock", e.dock.gain);
+  number("servo.dock.drift_time_constant_s", e.dock.drift_time_constant_s, 0.05, 60.0);
+  number("servo.dock.drift_limit_m_s", e.dock.drift_limit_m_s, 0.0, 2.0);
+  whole("executive.confirm_frames", e.confirm_frames, 1, 30);
+  number("executive.climb_rate_m_s", e.climb_rate_m_s, 0.05, 2.0);
+  number("executive.approach_deceleration_m_s2", e.approach_deceleration_m_s2, 0.01, 5.0);
+  number("executive.approach_speed_m_s", e.approach_speed_m_s, 0.01, 1.0);
+  number("executive.turn_rate_rad_s", e.turn.rate_limit_rad_s, 0.05, 3.0);
+  number("executive.turn_gain_per_s", e.turn.gain_per_s, 0.1, 10.0);
+  number("executive.turn_acceleration_rad_s2", e.turn.acceleration_rad_s2, 0.05, 10.0);
+  number("executive.acceleration_m_s2", e.limits.acceleration_m_s2, 0.1, 10.0);
+  number("executive.yaw_acceleration_rad_s2", e.limits.yaw_acceleration_rad_s2, 0.1, 20.0);
+  number("executive.hover_s", e.phases.hover_s, 2.5, 600.0);
+  number("executive.line_memory_s", e.phases.line_memory_s, 0.1, 10.0);
+  number("executive.length_tolerance", e.phases.length_tolerance, 0.0, 1.0);
+  number("executive.length_slack_m", e.phases.length_slack_m, 0.0, 5.0);
+  number("executive.dock_distance_m", e.phases.dock_distance_m, 0.001, 0.3);
+  number("executive.dock_speed_m_s", e.phases.dock_speed_m_s, 0.001, 1.0);
+}
+
+void SettingsTable::set(const std::string& key, const std::string& text, const std::string& where) {
+  const auto it =
+      std::find_if(table_.begin(), table_.end(), [&key](const Setting& s) { return s.key == key; });
+  if (it == table_.end()) {
+    throw InputError(fmt::format("{}: unknown key '{}'; near it: {}", where, key, nearest_keys(table_, key)));
+  }
+  if (!it->set(text))
+    throw InputError(fmt::format("{}: '{}' must be {}, not '{}'", where, key, it->allowed, text));
+}
+
+void SettingsTable::number(std::string key, double& value, double low, double high) {
+  const auto set = [&value, low, high](const std::string& text) {
+    const std::optional<double> parsed = parse<double>(text);
+    if (!parsed || !(*parsed >= low && *parsed <= high)) return false;
+    value = *parsed;
+    return true;
+  };
+  table_.push_back({std::move(key), fmt::format("a number from {} to {}", low, high), set,
+                    [&value] { return fmt::format("{}", value); }});
+}
+
+void SettingsTable::whole(std::string key, int& value, int low, int high) {
+  const auto set = [&value, low, high](const std::string& text) {
+    const std::optional<int> parsed = parse<int>(text);
+    if (!parsed || *parsed < low || *parsed > high) return false;
+    value = *parsed;
+    return true;
+  };
+  table_.push_back({std::move(key), fmt::format("a whole number from {} to {}", low, high), set,
+                    [&value] { return fmt::format("{}", value); }});
+}
+
+void SettingsTable::whole(std::string key, int& value, std::vector<int> choices) {
+  const std::string allowed = fmt::format("one of {}", fmt::join(choices, ", "));
+  const auto set = [&value, choices = std::move(choices)](const std::string& text) {
+    const std::optional<int> parsed = parse<int>(text);
+    if (!parsed || std::find(choices.begin(), choices.end(), *parsed) == choices.end()) return false;
+    value = *parsed;
+    return true;
+  };
+  table_.push_back({std::move(key), allowed, set, [&value] { return fmt::format("{}", value); }});
+}
+
+void SettingsTable::word(std::string key, std::string& value, std::vector<std::string> choices) {
+  const std::string allowed = fmt::format("one of {}", fmt::join(choices, ", "));
+  const auto set = [&value, choices = std::move(choices)](const std::string& text) {
+    if (std::find(choices.begin(), choices.end(), text) == choices.end()) return false;
+    value = text;
+    return true;
+  };
+  table_.push_back({std::move(key), allowed, set, [&value] { return value; }});
+}
+
+void SettingsTable::yes_no(std::string key, bool& value) {
+  const auto set = [&value](const std::string& text) {
+    if (text != "true" && text != "false") return false;
+    value = text == "true";
+    return true;
+  };
+  table_.push_back(
+      {std::move(key), "true or false", set, [&value] { return std::string(value ? "true" : "false"); }});
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,81 @@
+#include "apps/flight/convert.h"
+
+#include "features/geometry/angles.h"
+
+namespace lineservo::apps {
+namespace {
+
+using features::radians;
+
+vehicle::Setpoint convert(const servo::VelocityCommand& c) {
+  return vehicle::VelocitySetpoint{{c.forward_m_s, c.left_m_s, c.up_m_s}, c.yaw_rate_rad_s};
+}
+vehicle::Setpoint convert(const servo::AttitudeCommand& c) {
+  return vehicle::AttitudeSetpoint{c.roll_rad, c.pitch_rad, c.yaw_rate_rad_s, c.height_m};
+}
+vehicle::Setpoint convert(const servo::LandCommand&) {
+  return vehicle::LandSetpoint{};
+}
+
+}  // namespace
+
+features::CameraParameters camera_parameters(const CameraSettings& settings) {
+  features::CameraParameters camera;
+  camera.width_px = settings.width_px;
+  camera.height_px = settings.height_px;
+  camera.fx_px = camera.fy_px = settings.focal_px;
+  camera.cx_px = 0.5 * (settings.width_px - 1);
+  camera.cy_px = 0.5 * (settings.height_px - 1);
+  camera.distortion = settings.distortion;
+  return camera;
+}
+
+vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings) {
+  vehicle::SyntheticCameraOptions options;
+  options.camera = camera_parameters(settings);
+  options.frame_rate_hz = settings.frame_rate_hz;
+  options.latency_s = settings.latency_s;
+  options.noise_sigma = settings.noise_levels / 255.0;
+  return options;
+}
+
+vehicle::SensorParameters sensor_parameters(const SensorSettings& settings) {
+  vehicle::SensorParameters sensors = vehicle::SensorParameters::ideal();
+  sensors.gyro_sigma_rad_s = radians(settings.gyro_sigma_deg_s);
+  sensors.gyro_bias_rad_s = radians(settings.gyro_bias_deg_s);
+  sensors.accelerometer_sigma_m_s2 = settings.accelerometer_sigma_m_s2;
+  sensors.accelerometer_bias_m_s2 = settings.accelerometer_bias_m_s2;
+  sensors.attitude_sigma_rad = radians(settings.attitude_sigma_deg);
+  sensors.tilt_offset_rad = radians(settings.tilt_bias_deg);
+  sensors.flow_sigma_m_s = settings.velocity_sigma_m_s;
+  sensors.flow_bias_m_s = settings.velocity_bias_m_s;
+  sensors.range_sigma_m = settings.range_sigma_m;
+  return sensors;
+}
+
+features::PerceptionOptions perception_options(const FeatureSettings& settings, std::string_view method) {
+  features::PerceptionOptions options;
+  options.junction_method =
+      method == "fpd" ? features::JunctionMethod::fpd : features::JunctionMethod::stripe;
+  options.junction_window = settings.junction_window;
+  return options;
+}
+
+servo::ExecutiveOptions executive_options(const Settings& settings, bool land) {
+  servo::ExecutiveOptions options = settings.executive;
+  options.speed_m_s = settings.speed_m_s;
+  options.phases.height_m = settings.height_m;
+  options.phases.land = land;
+  return options;
+}
+
+std::string_view junction_method(const FeatureSettings& settings, const servo::Controller& controller) {
+  return settings.junction_method == "auto" ? controller.junction_method
+                                            : std::string_view(settings.junction_method);
+}
+
+vehicle::Setpoint to_setpoint(const servo::Command& command) {
+  return std::visit([](const auto& c) { return convert(c); }, command);
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "apps/config/settings.h"
+#include "features/geometry/camera_model.h"
+#include "features/perception.h"
+#include "servo/task/command.h"
+#include "vehicle/floor/synthetic_camera.h"
+#include "vehicle/sensors/sensor_parameters.h"
+#include "vehicle/setpoint.h"
+
+namespace lineservo::apps {
+
+// From the settings of the files to the options of each side, and from one side to the other.
+
+features::CameraParameters camera_parameters(const CameraSettings& settings);
+vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings);
+vehicle::SensorParameters sensor_parameters(const SensorSettings& settings);
+/// `method` as in FeatureSettings, but not "auto".
+features::PerceptionOptions perception_options(const FeatureSettings& settings, std::string_view method);
+servo::ExecutiveOptions executive_options(const Settings& settings, bool land);
+/// The recogniser that a controller flies with: the setting, or the controller's own.
+std::string_view junction_method(const FeatureSettings& settings, const servo::Controller& controller);
+
+vehicle::Setpoint to_setpoint(const servo::Command& command);
+
+}  // namespace lineservo::apps

@@ -1,0 +1,225 @@
+#include "apps/flight/flight.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "apps/flight/convert.h"
+#include "features/geometry/angles.h"
+#include "vehicle/random.h"
+
+namespace lineservo::apps {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using features::radians;
+using servo::Phase;
+using vehicle::Time;
+
+// Streams of the flight's seed; the vehicle takes those below 1000 for its sensors.
+constexpr std::uint64_t kStartStream = 1000;
+constexpr std::uint64_t kLatencyStream = 1001;
+
+constexpr Time kEstimatePeriod = std::chrono::milliseconds(5);
+constexpr Time kCommandHolds = std::chrono::milliseconds(300);
+constexpr double kLowestHeight_m = 0.05;  // the law never divides by less
+
+/// Adds the wall time of its life to a stage.
+class Stopwatch {
+ public:
+  explicit Stopwatch(StageTiming& stage) : stage_(stage) {}
+  ~Stopwatch() {
+    stage_.total_s += std::chrono::duration<double>(Clock::now() - begin_).count();
+    ++stage_.calls;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  StageTiming& stage_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+vehicle::StartPlace draw_start(const FlightRequest& request, const vehicle::Layout& floor,
+                               double heading_rad) {
+  vehicle::Random random(request.seed, kStartStream);
+  const StartSettings& spread = request.settings.start;
+  const Eigen::Vector2d node = floor.nodes[floor.start].p_W;
+  const double x = node.x() + random.uniform(-spread.position_spread_m, spread.position_spread_m);
+  const double y = node.y() + random.uniform(-spread.position_spread_m, spread.position_spread_m);
+  const double off_deg = random.uniform(-spread.heading_spread_deg, spread.heading_spread_deg);
+  return {x, y, heading_rad + radians(off_deg)};
+}
+
+Time draw_known_latency(const FlightRequest& request) {
+  vehicle::Random random(request.seed, kLatencyStream);
+  const CameraSettings& camera = request.settings.camera;
+  return vehicle::from_seconds(
+      std::max(0.0, camera.latency_s + random.uniform(-camera.latency_error_s, camera.latency_error_s)));
+}
+
+/// Roll, pitch and heading of q_WB = R_z(ψ) R_y(θ) R_x(φ).
+Eigen::Vector3d euler(const Eigen::Quaterniond& q) {
+  const Eigen::Matrix3d R = q.toRotationMatrix();
+  return {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0)),
+          std::atan2(R(1, 0), R(0, 0))};
+}
+
+TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& executive) {
+  const vehicle::BodyState& truth = quadrotor.truth();
+  const Eigen::Vector3d angles = euler(truth.q_WB);
+  return {quadrotor.now(), truth.p_WB,        angles.x(),
+          angles.y(),      angles.z(),        truth.v_W,
+          truth.w_B,       executive.phase(), static_cast<int>(executive.step())};
+}
+
+std::unique_ptr<vehicle::Wind> make_wind(const WindSettings& wind) {
+  return std::make_unique<vehicle::ConstantWind>(wind.mean_m_s, radians(wind.direction_deg));
+}
+
+vehicle::StartPlace start_facing(const FlightRequest& request, const vehicle::Layout& floor,
+                                 const servo::Plan& plan) {
+  return draw_start(request, floor, plan.start_heading_rad);
+}
+
+const servo::Controller& controller_of(const FlightRequest& request) {
+  return servo::find_controller(request.controller);
+}
+
+}  // namespace
+
+Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan)
+    : request_(request),
+      quadrotor_(request.settings.airframe, request.settings.autopilot,
+                 sensor_parameters(request.settings.sensors), make_wind(request.settings.wind), request.seed,
+                 start_facing(request, floor, plan)),
+      camera_(floor, camera_options(request.settings.camera), request.seed),
+      perception_(features::CameraModel(camera_parameters(request.settings.camera)),
+                  perception_options(request.settings.features,
+                                     junction_method(request.settings.features, controller_of(request)))),
+      executive_(plan, controller_of(request).make(request.settings.laws),
+                 controller_of(request).servos_on_node, executive_options(request.settings, request.land)),
+      latency_known_(draw_known_latency(request)) {}
+
+FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {
+  const Clock::time_point begin = Clock::now();
+  Time next_report{0};
+  while (!is_over()) {
+    advance();
+    expose();
+    while (const auto frame = camera_.deliver(quadrotor_.now())) control(*frame);
+    if (progress && quadrotor_.now() >= next_report) {
+      next_report += std::chrono::seconds(1);
+      record_.interrupted =
+          !progress({vehicle::seconds(quadrotor_.now()), executive_.phase(),
+                     static_cast<int>(executive_.step()), static_cast<int>(executive_.plan().steps.size())});
+    }
+  }
+  finish();
+  record_.timing.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  return std::move(record_);
+}
+
+void Flight::advance() {
+  const Stopwatch watch(record_.timing.physics);
+  const Time until = std::min(quadrotor_.now() + kEstimatePeriod, camera_.next_exposure());
+  do {
+    quadrotor_.step();
+    sample_truth();
+  } while (quadrotor_.now() < until);
+  const vehicle::Estimate& estimate = quadrotor_.estimate();
+  odometry_.add(estimate.stamp, estimate.v_H_m_s.head<2>(), estimate.yaw_rad);
+}
+
+void Flight::sample_truth() {
+  if (quadrotor_.now() % kTruthPeriod == Time{0}) record_.truth.push_back(sample(quadrotor_, executive_));
+}
+
+void Flight::expose() {
+  if (!camera_.due(quadrotor_.now())) return;
+  const Stopwatch watch(record_.timing.render);
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = quadrotor_.truth().q_WB.toRotationMatrix();
+  X_WB.translation() = quadrotor_.truth().p_WB;
+  camera_.capture(quadrotor_.now(), X_WB);
+  exposures_.push_back(sample(quadrotor_, executive_));
+}
+
+// observe → decide and compute → send → log
+void Flight::control(const vehicle::Frame& frame) {
+  const servo::Observation observation = observe(frame);
+  servo::Command command;
+  {
+    const Stopwatch watch(record_.timing.control);
+    command = executive_.tick(observation, quadrotor_.mode() == vehicle::AutopilotMode::landed);
+  }
+  send(command);
+  log(observation, frame, command);
+}
+
+servo::Observation Flight::observe(const vehicle::Frame& frame) {
+  servo::Observation observation;
+  observation.now = quadrotor_.now();
+  observation.captured = std::max(Time{0}, quadrotor_.now() - latency_known_);
+  const vehicle::Estimate at_capture = quadrotor_.estimate_at(observation.captured);
+  observation.features = extract(frame, at_capture);
+  observation.odometry_now = odometry_.at(observation.now);
+  observation.odometry_at_capture = odometry_.at(observation.captured);
+  observation.height_m = std::max(kLowestHeight_m, quadrotor_.estimate().height_m);
+  observation.capture_height_m = std::max(kLowestHeight_m, at_capture.height_m);
+  observation.v_H_m_s = quadrotor_.estimate().v_H_m_s;
+  return observation;
+}
+
+features::FrameFeatures Flight::extract(const vehicle::Frame& frame, const vehicle::Estimate& at_capture) {
+  const Stopwatch watch(record_.timing.perception);
+  const bool corrects_tilt = request_.settings.features.tilt_correction;
+  const features::LevelView view =
+      corrects_tilt ? features::LevelView(at_capture.roll_rad, at_capture.pitch_rad) : features::LevelView();
+  return perception_.observe(frame.bgr, view);
+}
+
+void Flight::send(const servo::Command& command) {
+  quadrotor_.command(to_setpoint(command), quadrotor_.now(), kCommandHolds);
+}
+
+void Flight::log(const servo::Observation& observation, const vehicle::Frame& frame,
+                 const servo::Command& command) {
+  if (!observation.features.lines.empty()) quadrotor_.paint_sighted(observation.captured);
+  TickRecord tick;
+  tick.t = observation.now;
+  tick.captured = frame.stamp;
+  while (exposures_.size() > 1 && exposures_.front().t < frame.stamp) exposures_.pop_front();
+  tick.at_capture = exposures_.front();
+  tick.now = sample(quadrotor_, executive_);
+  tick.code = observation.features.code;
+  if (const features::LineFeature* line = observation.features.line()) {
+    tick.line_rho = line->rho;
+    tick.line_theta_rad = line->theta_rad;
+  }
+  if (observation.features.junction) tick.junction = observation.features.junction->centre;
+  tick.height_m = observation.height_m;
+  tick.v_H_m_s = observation.v_H_m_s;
+  tick.command = command;
+  record_.ticks.push_back(tick);
+  for (servo::ExecutiveEvent& event : executive_.take_events()) {
+    record_.events.push_back({observation.now, std::move(event.kind), std::move(event.detail)});
+  }
+}
+
+bool Flight::is_over() const {
+  const bool on_ground = quadrotor_.mode() == vehicle::AutopilotMode::landed;
+  const bool gave_up = executive_.phase() == Phase::land && on_ground;
+  return executive_.phase() == Phase::finished || gave_up || quadrotor_.crashed() || record_.interrupted ||
+         vehicle::seconds(quadrotor_.now()) >= request_.settings.time_limit_s;
+}
+
+void Flight::finish() {
+  record_.abort_reason = executive_.abort_reason();
+  record_.last_phase = executive_.phase();
+  record_.steps_done = executive_.nodes_recognised();
+  record_.crashed = quadrotor_.crashed();
+  record_.landed = quadrotor_.mode() == vehicle::AutopilotMode::landed;
+  record_.out_of_time = vehicle::seconds(quadrotor_.now()) >= request_.settings.time_limit_s;
+}
+
+}  // namespace lineservo::apps

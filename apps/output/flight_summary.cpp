@@ -1,0 +1,150 @@
+#include "apps/output/flight_summary.h"
+
+#include <cmath>
+
+#include "apps/flight/convert.h"
+#include "apps/output/flight_tables.h"
+#include "apps/version.h"
+
+namespace lineservo::apps {
+namespace {
+
+using nlohmann::ordered_json;
+using servo::AbortReason;
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+/// The node within the arrival radius of a place, or none.
+std::optional<std::size_t> node_at(const vehicle::Layout& floor, const Eigen::Vector2d& p_W) {
+  for (std::size_t i = 0; i < floor.nodes.size(); ++i) {
+    if ((floor.nodes[i].p_W - p_W).norm() <= kArrivalRadius_m) return i;
+  }
+  return std::nullopt;
+}
+
+std::string outcome_of_abort(AbortReason reason) {
+  switch (reason) {
+    case AbortReason::line_lost:
+      return "lost_line";
+    case AbortReason::node_overdue:
+      return "timeout";
+    default:
+      return "aborted";
+  }
+}
+
+std::string outcome(const FlightRecord& record, const vehicle::Layout& floor, std::size_t target,
+                    const std::optional<Rest>& rest) {
+  if (record.crashed) return "crashed";
+  if (record.abort_reason != AbortReason::none) return outcome_of_abort(record.abort_reason);
+  if (record.interrupted) return "aborted";
+  if (record.out_of_time || !rest) return "timeout";
+  const Eigen::Vector2d place = record.landed ? Eigen::Vector2d(record.truth.back().p_WB.head<2>())
+                                              : Eigen::Vector2d(rest->x_m, rest->y_m);
+  const std::optional<std::size_t> node = node_at(floor, place);
+  if (node == target) return record.landed ? "landed" : "arrived";
+  return node ? "wrong_node" : "timeout";
+}
+
+double flown_m(const FlightRecord& record) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < record.truth.size(); ++i) {
+    sum += (record.truth[i].p_WB - record.truth[i - 1].p_WB).head<2>().norm();
+  }
+  return sum;
+}
+
+ordered_json to_json(const OffsetStatistics& s) {
+  return {{"rmse_m", number(s.rmse_m)},
+          {"max_m", number(s.max_m)},
+          {"mae_m", number(s.mae_m)},
+          {"std_m", number(s.std_m)},
+          {"mean_m", number(s.mean_m)}};
+}
+
+ordered_json to_json(const LegScore& leg) {
+  ordered_json json = {{"from", leg.from},
+                       {"to", leg.to},
+                       {"axis", leg.axis.empty() ? ordered_json() : ordered_json(leg.axis)}};
+  json.update(to_json(leg.whole));
+  json["settled_rmse_m"] = number(leg.settled_rmse_m);
+  json["turn_max_m"] = number(leg.turn_max_m);
+  json["samples"] = leg.samples;
+  return json;
+}
+
+ordered_json to_json(const JunctionScore& j) {
+  ordered_json json = {{"frames", j.frames},
+                       {"misclassified", j.misclassified},
+                       {"accuracy", number(j.accuracy(j.misclassified))},
+                       {"held_accuracy", number(j.accuracy(j.held_wrong))},
+                       {"smoothed_accuracy", number(j.accuracy(j.smoothed_wrong))},
+                       {"ambiguous_share", number(1.0 - j.accuracy(j.ambiguous))},
+                       {"events", j.events},
+                       {"events_right", j.events_right}};
+  json["confusion"] = j.confusion;
+  return json;
+}
+
+ordered_json to_json(const FlightTiming& t, double duration_s) {
+  return {{"wall_s", t.wall_s},
+          {"real_time_factor", number(duration_s / t.wall_s)},
+          {"render_ms", t.render.mean_ms()},
+          {"perception_ms", t.perception.mean_ms()},
+          {"control_ms", t.control.mean_ms()},
+          {"physics_ms", t.physics.calls == 0 ? 0.0 : 1000.0 * t.physics.total_s / (1000.0 * duration_s)}};
+}
+
+ordered_json arrival_json(const std::optional<Rest>& rest) {
+  if (!rest) return {{"x_m", nullptr}, {"y_m", nullptr}, {"heading_rad", nullptr}};
+  return {{"x_m", rest->x_m}, {"y_m", rest->y_m}, {"heading_rad", rest->heading_rad}};
+}
+
+}  // namespace
+
+FlightSummary summarise(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan,
+                        const FlightRecord& record) {
+  const RouteTruth route = route_truth(floor, plan);
+  const features::CameraModel camera(camera_parameters(request.settings.camera));
+  FlightSummary summary;
+  summary.target = floor.nodes[route.target].name;
+  summary.target_W = floor.nodes[route.target].p_W;
+  summary.rest = find_rest(record, route, summary.target_W);
+  summary.outcome = outcome(record, floor, route.target, summary.rest);
+  summary.duration_s = record.truth.empty() ? 0.0 : vehicle::seconds(record.truth.back().t);
+  summary.distance_m = flown_m(record);
+  summary.track = score_track(record, route);
+  summary.junctions =
+      score_junctions(record, JunctionTruth(floor, camera), 1.0 / request.settings.camera.frame_rate_hz);
+  summary.timing = record.timing;
+  summary.trajectory_sha256 = trajectory_sha256(record);
+  return summary;
+}
+
+ordered_json to_json(const FlightRequest& request, const FlightSummary& s) {
+  ordered_json json = {{"instruction", request.instruction},
+                       {"controller", request.controller},
+                       {"layout", request.layout},
+                       {"conditions", request.conditions},
+                       {"seed", request.seed},
+                       {"speed_m_s", request.settings.speed_m_s},
+                       {"version", kVersion},
+                       {"outcome", s.outcome}};
+  json["target"] = {{"node", s.target}, {"x_m", s.target_W.x()}, {"y_m", s.target_W.y()}};
+  json["arrival"] = arrival_json(s.rest);
+  json["terminal_error_m"] = s.rest ? ordered_json(s.rest->target_error_m) : ordered_json();
+  json["terminal_max_m"] = s.rest ? ordered_json(s.rest->target_max_m) : ordered_json();
+  json["duration_s"] = s.duration_s;
+  json["distance_m"] = s.distance_m;
+  json["legs"] = ordered_json::array();
+  for (const LegScore& leg : s.track.legs) json["legs"].push_back(to_json(leg));
+  json["tracking"] = to_json(s.track.all);
+  json["junctions"] = to_json(s.junctions);
+  json["timing"] = to_json(s.timing, s.duration_s);
+  json["trajectory_sha256"] = s.trajectory_sha256;
+  return json;
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "apps/flight/flight_record.h"
+#include "apps/scoring/route_truth.h"
+
+namespace lineservo::apps {
+
+/// flight.csv: one row a control tick, SI units, t_s first.
+std::string flight_csv(const FlightRecord& record);
+/// events.csv: time, kind, detail.
+std::string events_csv(const FlightRecord& record);
+/// SHA-256 of the state log, every bit of every true state.
+std::string trajectory_sha256(const FlightRecord& record);
+
+}  // namespace lineservo::apps

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "features/geometry/camera_model.h"
+#include "features/junction/junction_code.h"
+#include "vehicle/floor/layout.h"
+
+namespace lineservo::apps {
+
+/// What a frame truly shows, by the rule of SPEC §4.
+struct CodeTruth {
+  features::JunctionCode code = features::JunctionCode::unrecognised;
+  std::vector<features::JunctionCode>
+      accepted;         ///< all codes that count as right; more than one when it is ambiguous
+  bool scored = false;  ///< false for arcs, 45° corners and arms outside 25°
+
+  bool ambiguous() const { return accepted.size() > 1; }
+  bool accepts(features::JunctionCode c) const;
+};
+
+/// Tells the true code of a frame from the true pose and the layout, in the 400×400 frame.
+class JunctionTruth {
+ public:
+  JunctionTruth(const vehicle::Layout& layout, const features::CameraModel& camera);
+
+  /// `travel_m`: how far the vehicle moves between two frames; half of it widens the ambiguous band.
+  CodeTruth at(const Eigen::Isometry3d& X_WB, double travel_m) const;
+
+ private:
+  struct Arm {
+    double heading_rad;
+    double width_m, length_m;
+    bool straight;
+  };
+  struct Node {
+    Eigen::Vector2d p_W;
+    double half_square_m;
+    std::vector<Arm> arms;
+  };
+  struct View;
+
+  const Node* node_in_view(const View& view) const;
+  int marker_pixels(const View& view) const;
+  bool edge_in_view(const View& view) const;
+
+  const vehicle::Layout& layout_;
+  features::CameraModel camera_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace lineservo::apps

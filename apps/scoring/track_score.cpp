@@ -1,0 +1,164 @@
+#include "apps/scoring/track_score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "features/geometry/angles.h"
+
+namespace lineservo::apps {
+namespace {
+
+using features::wrap_angle;
+using servo::Phase;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSettles_s = 5.0;
+constexpr double kTurnEnds_rad = features::radians(3.0);
+
+/// Sums up offsets as they come.
+class OffsetSums {
+ public:
+  void add(double signed_m) {
+    ++count_;
+    sum_ += signed_m;
+    absolute_ += std::abs(signed_m);
+    squares_ += signed_m * signed_m;
+    max_ = std::max(max_, std::abs(signed_m));
+  }
+  long count() const { return count_; }
+  double rmse() const { return count_ == 0 ? kNaN : std::sqrt(squares_ / n()); }
+  double max() const { return count_ == 0 ? kNaN : max_; }
+  OffsetStatistics statistics() const {
+    if (count_ == 0) return {kNaN, kNaN, kNaN, kNaN, kNaN};
+    const double mean = sum_ / n();
+    return {rmse(), max_, absolute_ / n(), std::sqrt(std::max(0.0, squares_ / n() - mean * mean)), mean};
+  }
+
+ private:
+  double n() const { return static_cast<double>(count_); }
+  long count_ = 0;
+  double sum_ = 0.0, absolute_ = 0.0, squares_ = 0.0, max_ = 0.0;
+};
+
+struct LegSums {
+  OffsetSums whole, settled, turn;
+};
+
+/// Walks along the samples, knows the leg and whether a turn is on.
+class LegWalker {
+ public:
+  explicit LegWalker(const RouteTruth& route) : route_(route), sums_(route.legs.size()) {}
+
+  void take(const TruthSample& s) {
+    if (!begun_) begun_ = begin(s);
+    if (!begun_ || is_over(s)) return;
+    const bool turning = is_turning(s);
+    if (turning &&
+        std::abs(wrap_angle(s.heading_rad - route_.legs[leg_ + 1].start_heading_rad)) < kTurnEnds_rad) {
+      ++leg_;
+      leg_began_ = s.t;
+      add(s, false);
+      return;
+    }
+    add(s, turning);
+  }
+
+  TrackScore score() const {
+    TrackScore score;
+    OffsetSums all = all_;
+    for (std::size_t k = 0; k < sums_.size(); ++k) {
+      if (sums_[k].whole.count() == 0) continue;
+      const LegTruth& leg = route_.legs[k];
+      score.legs.push_back({leg.from, leg.to, leg.axis, sums_[k].whole.statistics(), sums_[k].settled.rmse(),
+                            sums_[k].turn.max(), sums_[k].whole.count()});
+    }
+    score.all = all.statistics();
+    return score;
+  }
+
+ private:
+  bool begin(const TruthSample& s) {
+    if (s.phase != Phase::follow) return false;
+    leg_began_ = s.t;
+    return true;
+  }
+
+  /// The flight's end does not count: hovering on the target, landing, giving up.
+  static bool is_over(const TruthSample& s) {
+    return s.phase == Phase::hover || s.phase == Phase::land || s.phase == Phase::aborted ||
+           s.phase == Phase::finished;
+  }
+
+  bool is_turning(const TruthSample& s) const {
+    const bool last = leg_ + 1 >= route_.legs.size();
+    return !last && (s.phase == Phase::turn || s.phase == Phase::dock) &&
+           s.step == route_.closing_steps[leg_];
+  }
+
+  void add(const TruthSample& s, bool turning) {
+    const Eigen::Vector2d p_W = s.p_WB.head<2>();
+    LegOffset offset = offset_from(route_.legs[leg_], p_W);
+    if (turning) {
+      const LegOffset next = offset_after_node(route_.legs[leg_ + 1], p_W);
+      if (next.distance_m < offset.distance_m) offset = next;
+    }
+    const double signed_m = std::copysign(offset.distance_m, offset.signed_m);
+    const bool early = vehicle::seconds(s.t - leg_began_) <= kSettles_s;
+    LegSums& sums = sums_[leg_];
+    sums.whole.add(signed_m);
+    all_.add(signed_m);
+    if (!turning && !early) sums.settled.add(signed_m);
+    if (turning || (early && leg_ > 0)) sums.turn.add(signed_m);
+  }
+
+  const RouteTruth& route_;
+  std::vector<LegSums> sums_;
+  OffsetSums all_;
+  std::size_t leg_ = 0;
+  bool begun_ = false;
+  vehicle::Time leg_began_{0};
+};
+
+bool may_rest(const TruthSample& s, const RouteTruth& route) {
+  const bool at_end = s.step == route.closing_steps.back();
+  return s.phase == Phase::hover || s.phase == Phase::finished || (s.phase == Phase::dock && at_end);
+}
+
+Rest summarise(const std::vector<TruthSample>& truth, std::size_t first, std::size_t last,
+               const Eigen::Vector2d& target) {
+  Rest rest{0, 0, 0, 0, 0};
+  const double n = static_cast<double>(last - first);
+  for (std::size_t i = first; i < last; ++i) {
+    const double distance_m = (truth[i].p_WB.head<2>() - target).norm();
+    rest.x_m += truth[i].p_WB.x() / n;
+    rest.y_m += truth[i].p_WB.y() / n;
+    rest.heading_rad += wrap_angle(truth[i].heading_rad - truth[first].heading_rad) / n;
+    rest.target_error_m += distance_m / n;
+    rest.target_max_m = std::max(rest.target_max_m, distance_m);
+  }
+  rest.heading_rad = wrap_angle(rest.heading_rad + truth[first].heading_rad);
+  return rest;
+}
+
+}  // namespace
+
+TrackScore score_track(const FlightRecord& record, const RouteTruth& route) {
+  LegWalker walker(route);
+  for (const TruthSample& sample : record.truth) walker.take(sample);
+  return walker.score();
+}
+
+std::optional<Rest> find_rest(const FlightRecord& record, const RouteTruth& route,
+                              const Eigen::Vector2d& target_W) {
+  const auto needed = static_cast<std::size_t>(kRestTime_s / vehicle::seconds(kTruthPeriod));
+  std::size_t still = 0;
+  for (std::size_t i = 0; i < record.truth.size(); ++i) {
+    const TruthSample& s = record.truth[i];
+    still = may_rest(s, route) && s.v_W.norm() < kRestSpeed_m_s ? still + 1 : 0;
+    if (still == needed) return summarise(record.truth, i + 1 - needed, i + 1, target_W);
+  }
+  return std::nullopt;
+}
+
+}  // namespace lineservo::apps

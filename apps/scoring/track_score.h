@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/flight/flight_record.h"
+#include "apps/scoring/route_truth.h"
+
+namespace lineservo::apps {
+
+/// Statistics of the offset from the centreline, metres; NaN while there is no sample.
+struct OffsetStatistics {
+  double rmse_m, max_m, mae_m, std_m, mean_m;
+};
+
+/// One leg of SPEC §6. Its error is the distance of the true body origin to the true centreline; during the
+/// turn that ends it, to the nearer of the two edges, each ending at the node.
+struct LegScore {
+  std::string from, to, axis;
+  OffsetStatistics whole;
+  double settled_rmse_m;  ///< more than 5 s after the leg's start and outside turns
+  double turn_max_m;      ///< in the turn that ends the leg, and in the first 5 s when a turn began it
+  long samples = 0;
+};
+
+struct TrackScore {
+  std::vector<LegScore> legs;  ///< those that were begun
+  OffsetStatistics all;
+};
+
+TrackScore score_track(const FlightRecord& record, const RouteTruth& route);
+
+/// Rest of 2 s under 0.03 m/s in dock or hover at the end of the plan.
+struct Rest {
+  double x_m, y_m, heading_rad;  ///< mean
+  double target_error_m;         ///< mean distance to the target
+  double target_max_m;
+};
+
+inline constexpr double kRestSpeed_m_s = 0.03;
+inline constexpr double kRestTime_s = 2.0;
+inline constexpr double kArrivalRadius_m = 0.3;
+
+/// The first such rest, or none.
+std::optional<Rest> find_rest(const FlightRecord& record, const RouteTruth& route,
+                              const Eigen::Vector2d& target_W);
+
+}  // namespace lineservo::apps

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "features/frame_features.h"
+#include "features/geometry/camera_model.h"
+#include "features/geometry/level_view.h"
+#include "features/junction/code_filter.h"
+#include "features/mask/mask_profile.h"
+#include "features/mask/path_segmenter.h"
+#include "features/stripe_perception.h"
+
+namespace lineservo::features {
+
+/// Which recogniser gives the junction codes.
+enum class JunctionMethod {
+  fpd,     ///< foreground pixel densities, as published (topology §2.2)
+  stripe,  ///< from the stripes that were found and the arms of their crossing (ours)
+};
+
+struct PerceptionOptions {
+  SegmenterOptions segmenter;
+  JunctionMethod junction_method = JunctionMethod::stripe;
+  int junction_window = CodeFilter::kDefaultWindow;
+  StripePerceptionOptions stripe;
+};
+
+/// Frame → features: segmentation, centroid, stripes, junction and code. Remembers the code filter's window
+/// and nothing else from frame to frame.
+class Perception {
+ public:
+  /// Throws std::invalid_argument for options out of bounds.
+  Perception(const CameraModel& camera, const PerceptionOptions& options);
+
+  /// `bgr`: CV_8UC3 of the camera's size, else std::invalid_argument. `view`: from the attitude at the
+  /// exposure.
+  FrameFeatures observe(const cv::Mat& bgr, const LevelView& view);
+
+  /// The mask of the last frame, for overlays.
+  const PackedMask& mask() const { return segmentation_->path; }
+
+ private:
+  JunctionCode read_code(const StripeFeatures& stripes, bool& line_ends_ahead) const;
+
+  PerceptionOptions options_;
+  cv::Size frame_size_;
+  PathSegmenter segmenter_;
+  StripePerception stripes_;
+  CodeFilter filter_;
+  MaskProfile profile_;
+  const Segmentation* segmentation_ = nullptr;
+};
+
+}  // namespace lineservo::features
