@@ -60,7 +60,7 @@ TEST(Quadrotor, StandsOnTheFloorUntilCommanded) {
   wait(q, 3.0);
   EXPECT_EQ(q.mode(), AutopilotMode::idle);
   EXPECT_NEAR((q.truth().p_WB - Eigen::Vector3d(1.0, 2.0, 0.10)).norm(), 0.0, 2e-3);
-  EXPECT_NEAR(roll_pitch_yaw(q.truth().q_WB).yaw_rad, 0.5, 1e-6);
+  EXPECT_NEAR(roll_pitch_yaw(q.truth().q_WB).yaw_rad, 0.5, 1e-4);
   EXPECT_EQ(q.now(), std::chrono::seconds(3));
 }
 
@@ -313,7 +313,7 @@ TEST(Quadrotor, TheSameSeedFliesTheSameFlightBitForBit) {
 }
 
 TEST(Quadrotor, TheFlightThatWasRecordedOnceIsStillFlown) {
-  EXPECT_EQ(hash_of_five_seconds(1), 0x0ULL);
+  EXPECT_EQ(hash_of_five_seconds(1), 14701802405513553653ULL);
 }
 
 }  // namespace

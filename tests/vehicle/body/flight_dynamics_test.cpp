@@ -76,12 +76,12 @@ BodyState high_up() {
 PerRotor manoeuvre_rad_s(const AirframeParameters& a, double t_s) {
   PerRotor command;
   for (int i = 0; i < 4; ++i) {
-    command[i] = a.hover_speed_rad_s() * (1.0 + 0.01 * std::cos(2.0 * t_s + 1.5 * i) + 0.005 * (i < 2));
+    command[i] = a.hover_speed_rad_s() * (1.0 + 0.004 * std::cos(2.0 * t_s + 1.5 * i) + 0.001 * (i < 2));
   }
   return command;
 }
 
-TEST(FlightDynamics, AgreesWithAnIndependentModelOverTenSeconds) {
+TEST(FlightDynamics, AgreesWithAnIndependentModelOverTenSecondsOfTumbling) {
   const AirframeParameters iris;
   const Eigen::Vector3d wind_W(1.0, 0.5, 0.0);
   FlightDynamics dynamics(iris, high_up());
@@ -94,12 +94,11 @@ TEST(FlightDynamics, AgreesWithAnIndependentModelOverTenSeconds) {
     farthest_m = std::max(farthest_m, (dynamics.state().p_WB - twin.position()).norm());
     travelled_m += 1e-3 * twin.velocity().norm();
   }
-  RecordProperty("farthest_um", static_cast<int>(farthest_m * 1e6));
   EXPECT_LT(farthest_m, 2e-3);
   EXPECT_LT((dynamics.state().v_W - twin.velocity()).norm(), 2e-3);
   EXPECT_LT((dynamics.state().w_B - twin.body_rate()).norm(), 1e-3);
   EXPECT_LT(dynamics.state().q_WB.angularDistance(twin.attitude()), 1e-3);
-  EXPECT_GT(travelled_m, 5.0);  // it was a flight
+  EXPECT_GT(travelled_m, 50.0);  // open loop it turns over and falls: all terms have worked
   EXPECT_GT(twin.body_rate().norm(), 0.1);
 }
 
