@@ -64,14 +64,6 @@ btRigidBody::btRigidBodyConstructionInfo floor_info(btCollisionShape* shape) {
   return info;
 }
 
-/// The motion in the middle of the step that starts at this state.
-BodyState half_a_step_on(const BodyState& state) {
-  BodyState middle = state;
-  middle.p_WB += 0.5 * kStep_s * state.v_W;
-  middle.q_WB = state.q_WB * rotation(0.5 * kStep_s * state.w_B);
-  return middle;
-}
-
 }  // namespace
 
 class RigidBody::World {
@@ -81,6 +73,7 @@ class RigidBody::World {
 
   void step(const Wrench& wrench);
   const BodyState& state() const { return state_; }
+  BodyState mid_step_state() const;
   const GroundContact& contact() const { return contact_; }
 
  private:
@@ -99,12 +92,18 @@ class RigidBody::World {
   btConvexHullShape box_;
   btRigidBody floor_{floor_info(&plane_)};
   btRigidBody body_;
+  Eigen::Vector3d inertia_kg_m2_;
   BodyState state_;
+  Eigen::Vector3d last_change_v_W_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d last_change_w_B_ = Eigen::Vector3d::Zero();
   GroundContact contact_;
 };
 
 RigidBody::World::World(const AirframeParameters& airframe, const BodyState& start)
-    : box_(box_on_gear(airframe)), body_(body_info(airframe, &box_)), state_(start) {
+    : box_(box_on_gear(airframe)),
+      body_(body_info(airframe, &box_)),
+      inertia_kg_m2_(airframe.inertia_kg_m2),
+      state_(start) {
   world_.setGravity({0, 0, -kGravity_m_s2});
   world_.setForceUpdateAllAabbs(false);
   // Our one body never sleeps, and its air drag is ours to model.
@@ -123,6 +122,16 @@ RigidBody::World::~World() {
   world_.removeRigidBody(&floor_);
 }
 
+// The velocities are carried on by half of their last change, or drag would be of first order only.
+BodyState RigidBody::World::mid_step_state() const {
+  BodyState middle = state_;
+  middle.p_WB += 0.5 * kStep_s * state_.v_W;
+  middle.q_WB = state_.q_WB * rotation(0.5 * kStep_s * state_.w_B);
+  middle.v_W += 0.5 * last_change_v_W_;
+  middle.w_B += 0.5 * last_change_w_B_;
+  return middle;
+}
+
 void RigidBody::World::step(const Wrench& wrench) {
   const BodyState before = state_;
   apply(wrench);
@@ -130,12 +139,18 @@ void RigidBody::World::step(const Wrench& wrench) {
   read_state();
   read_contact(-before.v_W.z());
   if (!contact_.touches) undo_half_step(before);
+  last_change_v_W_ = state_.v_W - before.v_W;
+  last_change_w_B_ = state_.w_B - before.w_B;
 }
 
+// Bullet turns a moment into angular acceleration with the inertia at the attitude of the step's start,
+// ẇ = R₀ I⁻¹ R₀ᵀ τ. So that it comes to R I⁻¹ τ_B with the attitude R of the middle: τ = R₀ I R₀ᵀ R I⁻¹ τ_B.
 void RigidBody::World::apply(const Wrench& wrench) {
-  const Eigen::Quaterniond q_WB = half_a_step_on(state_).q_WB;
-  body_.applyCentralForce(to_bullet(q_WB * wrench.force_B_N));
-  body_.applyTorque(to_bullet(q_WB * wrench.torque_B_Nm));
+  const Eigen::Quaterniond q_start = state_.q_WB, q_middle = mid_step_state().q_WB;
+  const Eigen::Vector3d w_dot_W = q_middle * wrench.torque_B_Nm.cwiseQuotient(inertia_kg_m2_);
+  const Eigen::Vector3d torque_W = q_start * inertia_kg_m2_.cwiseProduct(q_start.conjugate() * w_dot_W);
+  body_.applyCentralForce(to_bullet(q_middle * wrench.force_B_N));
+  body_.applyTorque(to_bullet(torque_W));
 }
 
 void RigidBody::World::read_state() {
@@ -161,6 +176,7 @@ void RigidBody::World::read_contact(double descent_m_s) {
 void RigidBody::World::undo_half_step(const BodyState& before) {
   state_.p_WB -= 0.5 * kStep_s * (state_.v_W - before.v_W);
   state_.q_WB = (state_.q_WB * rotation(-0.5 * kStep_s * (state_.w_B - before.w_B))).normalized();
+  state_.w_B = state_.q_WB.conjugate() * from_bullet(body_.getAngularVelocity());
   write_pose();
 }
 
@@ -183,7 +199,7 @@ const BodyState& RigidBody::state() const {
   return world_->state();
 }
 BodyState RigidBody::mid_step_state() const {
-  return half_a_step_on(world_->state());
+  return world_->mid_step_state();
 }
 const GroundContact& RigidBody::ground_contact() const {
   return world_->contact();

@@ -1,0 +1,58 @@
+#include "vehicle/body/airframe.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace lineservo::vehicle {
+namespace {
+
+TEST(Airframe, TheIrisIsValidAndHoversWhereItShould) {
+  const AirframeParameters iris;
+  EXPECT_NO_THROW(iris.validate());
+  // 4 k ω² = m g
+  EXPECT_NEAR(4.0 * 5.84e-6 * std::pow(iris.hover_speed_rad_s(), 2), 1.5 * 9.81, 1e-12);
+}
+
+TEST(Airframe, EveryFaultIsNamedAtOnce) {
+  AirframeParameters bad;
+  bad.mass_kg = -1.0;
+  bad.motor_lag_up_s = std::numeric_limits<double>::quiet_NaN();
+  bad.rotors[0].spin = RotorPlacement::Spin::clockwise;
+  try {
+    bad.validate();
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("mass_kg is -1"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("motor_lag_up_s"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("two clockwise"));
+  }
+}
+
+TEST(Airframe, AnInertiaThatNoBodyHasIsRefused) {
+  AirframeParameters bad;
+  bad.inertia_kg_m2 << 0.01, 0.01, 0.03;
+  EXPECT_THROW(bad.validate(), std::invalid_argument);
+}
+
+TEST(Airframe, OneThatCannotLiftItselfIsRefused) {
+  AirframeParameters heavy;
+  heavy.mass_kg = 3.0;
+  EXPECT_THROW(heavy.validate(), std::invalid_argument);
+}
+
+TEST(Airframe, SpacingAndDiagonalOfASquareOfRotors) {
+  AirframeParameters square;
+  using Spin = RotorPlacement::Spin;
+  square.rotors = {{{0.1, -0.1, Spin::counter_clockwise},
+                    {-0.1, 0.1, Spin::counter_clockwise},
+                    {0.1, 0.1, Spin::clockwise},
+                    {-0.1, -0.1, Spin::clockwise}}};
+  EXPECT_NEAR(square.rotor_spacing_m(), 0.2, 1e-12);
+  EXPECT_NEAR(square.rotor_diagonal_m(), 0.2 * std::sqrt(2.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace lineservo::vehicle
