@@ -15,7 +15,7 @@ class PackedMask {
   static constexpr int kWordBits = 64;
 
   PackedMask() = default;
-  /// All background. Throws std::invalid_argument unless both sides are 1 to 65536 px.
+  /// All background. Throws std::invalid_argument unless both sides are 1 to 65535 px.
   PackedMask(int width, int height);
   /// Foreground where the pixel is not zero. Throws std::invalid_argument unless the image is CV_8UC1.
   static PackedMask from_mat(const cv::Mat& image);
