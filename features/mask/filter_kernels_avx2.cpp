@@ -13,7 +13,7 @@ constexpr std::size_t kBlockWords = 4;
 
 namespace lineservo::features {
 
-const FilterKernels kAvx2FilterKernels{count, any_along, all_along, majority, any_across, all_across};
+const FilterKernels kAvx2FilterKernels{count, majority, any_along, none_across, population};
 
 }  // namespace lineservo::features
 

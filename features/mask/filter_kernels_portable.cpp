@@ -10,6 +10,6 @@ constexpr std::size_t kBlockWords = 2;
 
 namespace lineservo::features {
 
-const FilterKernels kPortableFilterKernels{count, any_along, all_along, majority, any_across, all_across};
+const FilterKernels kPortableFilterKernels{count, majority, any_along, none_across, population};
 
 }  // namespace lineservo::features

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "features/mask/filter_kernels.h"
@@ -30,26 +29,20 @@ class MaskFilter {
 
   Word* ring_row(int y, int digit = 0);
   CountRow count_row(int y);
-  int clamped(int y) const;
-
-  void load_row(std::span<const Word> row, Word before, Word after);
-  void load_row_repeating_ends(std::span<const Word> row);
-  void store_row(std::span<Word> row) const;
+  RowBits bits() const { return {inside_.data(), left_.data(), right_.data()}; }
+  bool fits(const PackedMask& mask) const { return mask.width() == width_ && mask.height() == height_; }
 
   /// Calls along(y) for every row, and across(y) as soon as along has been through rows up to y + 2.
   template <typename Along, typename Across>
   void sweep(Along along, Across across);
-  /// along on each row with what lies outside set to `outside`, across on the results.
-  void morph(const PackedMask& in, PackedMask& out, Word outside, decltype(FilterKernels::any_along) along,
-             decltype(FilterKernels::any_across) across);
+  /// The background of the dilation of a mask.
+  void dilate_and_invert(const PackedMask& in, PackedMask& out);
 
   const FilterKernels* kernels_;
   int width_, height_;
-  std::size_t padded_words_;
-  Word last_word_pixels_;
-  std::vector<Word> line_;    // one row with a word more before and after it
-  std::vector<Word> ring_;    // kRing rows of three digits
-  std::vector<Word> result_;  // one row
+  std::size_t stride_;
+  std::vector<Word> inside_, left_, right_;  // see RowBits
+  std::vector<Word> ring_;                   // kRing rows of three digits
 };
 
 }  // namespace lineservo::features

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <numeric>
+
+#include "features/mask/filter_kernels.h"
 
 namespace lineservo::features {
 namespace {
@@ -35,7 +36,7 @@ Word add(Word& digit, Word a, Word b) {
 // Eight rows at a time through a carry-save tree, so that only every eighth carry ripples on.
 ColumnDigits count_columns(const PackedMask& mask, int word) {
   ColumnDigits digits{};
-  const auto stride = static_cast<std::size_t>(mask.words_per_row());
+  const std::size_t stride = mask.stride();
   const Word* at = mask.row(0).data() + word;
   int y = 0;
   for (; y + 8 <= mask.height(); y += 8, at += 8 * stride) {
@@ -77,12 +78,6 @@ void write_columns(const ColumnDigits& digits, std::size_t first_column, std::ve
   }
 }
 
-int count_row(std::span<const Word> row) {
-  int sum = 0;
-  for (const Word word : row) sum += std::popcount(word);
-  return sum;
-}
-
 // Σ i nᵢ / Σ nᵢ
 double mean_index(const std::vector<int>& counts, int total) {
   std::int64_t moment = 0;
@@ -98,7 +93,9 @@ void profile_of(const PackedMask& mask, MaskProfile& profile) {
   for (int word = 0; word < mask.words_per_row(); ++word)
     write_columns(count_columns(mask, word), static_cast<std::size_t>(word) * PackedMask::kWordBits,
                   profile.columns);
-  for (int y = 0; y < mask.height(); ++y) profile.rows[static_cast<std::size_t>(y)] = count_row(mask.row(y));
+  const FilterKernels& kernels = filter_kernels(best_processor());
+  for (int y = 0; y < mask.height(); ++y)
+    profile.rows[static_cast<std::size_t>(y)] = kernels.population(mask.row(y).data(), mask.stride());
   profile.foreground = std::accumulate(profile.rows.begin(), profile.rows.end(), 0);
 }
 

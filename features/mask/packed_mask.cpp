@@ -10,7 +10,9 @@ PackedMask::PackedMask(int width, int height)
   constexpr int kMaxSide = 65535;
   if (width < 1 || width > kMaxSide || height < 1 || height > kMaxSide)
     throw std::invalid_argument("mask: both sides must be 1 to 65535 px");
-  words_.resize(row_size() * static_cast<std::size_t>(height));
+  // The words of a row, one of zeros at least, rounded up.
+  stride_ = (static_cast<std::size_t>(words_per_row_) / kAlignedWords + 1) * kAlignedWords;
+  words_.resize(index(0, height) + kAlignedWords);
 }
 
 PackedMask PackedMask::from_mat(const cv::Mat& image) {
