@@ -5,9 +5,6 @@
 #include <immintrin.h>
 
 #include <algorithm>
-#include <bit>
-#include <cassert>
-#include <utility>
 
 // Only functions marked so may use the instructions; nothing else of this file, and no inline function of the
 // standard library, is compiled for them.
