@@ -271,8 +271,11 @@ LINESERVO_AVX2_INLINE GroupMasks classify_group(__m256i b, __m256i g, __m256i r,
   if (_mm256_testz_si256(any, any)) return {};  // bare floor, as most groups are
   const CurveArgument value = split(v);
   const Pixels p{v, _mm256_cmpeq_epi8(v, r), _mm256_subs_epu8(g, b), _mm256_subs_epu8(b, g), split(chroma)};
-  return {bits(_mm256_and_si256(bright_and_saturated(test.path, value, chroma), has_hue(test.path, p))),
-          bits(_mm256_and_si256(bright_and_saturated(test.marker, value, chroma), has_hue(test.marker, p)))};
+  const __m256i path =
+      _mm256_and_si256(bright_and_saturated(test.path, value, chroma), has_hue(test.path, p));
+  const __m256i marker_hue = has_hue(test.marker, p);
+  if (_mm256_testz_si256(marker_hue, marker_hue)) return {bits(path), 0};
+  return {bits(path), bits(_mm256_and_si256(bright_and_saturated(test.marker, value, chroma), marker_hue))};
 }
 
 // Returns the number of marker pixels among the first width.

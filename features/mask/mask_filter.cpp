@@ -22,13 +22,14 @@ MaskFilter::MaskFilter(int width, int height, Processor processor)
   std::fill(right_.begin() + static_cast<std::ptrdiff_t>(words) + 1, right_.end(), ~Word{0});
 }
 
-MaskFilter::Word* MaskFilter::ring_row(int y, int digit) {
-  const int repeated = std::clamp(y, 0, height_ - 1);
-  return ring_.data() + static_cast<std::size_t>(repeated % kRing * 3 + digit) * stride_;
+MaskFilter::Word* MaskFilter::ring_row(int y) {
+  const auto repeated = static_cast<unsigned>(std::clamp(y, 0, height_ - 1));
+  return ring_.data() + repeated % kRing * 3 * stride_;
 }
 
 CountRow MaskFilter::count_row(int y) {
-  return {ring_row(y, 0), ring_row(y, 1), ring_row(y, 2)};
+  Word* ones = ring_row(y);
+  return {ones, ones + stride_, ones + 2 * stride_};
 }
 
 template <typename Along, typename Across>
