@@ -5,9 +5,6 @@
 #include <immintrin.h>
 
 #include <algorithm>
-#include <bit>
-#include <cassert>
-#include <utility>
 
 // Only functions marked so may use the instructions; nothing else of this file, and no inline function of the
 // standard library, is compiled for them.
@@ -246,35 +243,53 @@ LINESERVO_AVX2_INLINE std::uint32_t bits(__m256i mask) {
   return static_cast<std::uint32_t>(_mm256_movemask_epi8(mask));
 }
 
+struct TestTables {
+  ClassTables path, marker;
+  __m256i v_least, chroma_least;  // of a pixel of either class
+};
+
+int least_chroma(const RedSectorClass& color) {
+  int least = 255;
+  for (int v = color.v_min; v < 256; ++v) least = std::min(least, color.chroma_min.at(v));
+  return least;
+}
+
+LINESERVO_AVX2_INLINE TestTables tables(const RedSectorTest& test, int chroma_least) {
+  return {tables(test.path), tables(test.marker),
+          _mm256_set1_epi8(static_cast<char>(std::min(test.path.v_min, test.marker.v_min))),
+          _mm256_set1_epi8(static_cast<char>(chroma_least))};
+}
+
 struct GroupMasks {
   std::uint32_t path = 0, marker = 0;
 };
 
-LINESERVO_AVX2_INLINE GroupMasks classify_group(__m256i b, __m256i g, __m256i r, const ClassTables& path,
-                                                const ClassTables& marker) {
+LINESERVO_AVX2_INLINE GroupMasks classify_group(__m256i b, __m256i g, __m256i r, const TestTables& test) {
   const __m256i v = _mm256_max_epu8(_mm256_max_epu8(b, g), r);
   const __m256i chroma = _mm256_sub_epi8(v, _mm256_min_epu8(_mm256_min_epu8(b, g), r));
+  const __m256i any = _mm256_and_si256(at_least(v, test.v_least), at_least(chroma, test.chroma_least));
+  if (_mm256_testz_si256(any, any)) return {};  // bare floor, as most groups are
   const CurveArgument value = split(v);
-  const __m256i path_candidates = bright_and_saturated(path, value, chroma);
-  const __m256i marker_candidates = bright_and_saturated(marker, value, chroma);
-  const __m256i any = _mm256_or_si256(path_candidates, marker_candidates);
-  if (_mm256_testz_si256(any, any)) return {};  // bare floor
   const Pixels p{v, _mm256_cmpeq_epi8(v, r), _mm256_subs_epu8(g, b), _mm256_subs_epu8(b, g), split(chroma)};
-  return {bits(_mm256_and_si256(path_candidates, has_hue(path, p))),
-          bits(_mm256_and_si256(marker_candidates, has_hue(marker, p)))};
+  const __m256i path =
+      _mm256_and_si256(bright_and_saturated(test.path, value, chroma), has_hue(test.path, p));
+  const __m256i marker_hue = has_hue(test.marker, p);
+  if (_mm256_testz_si256(marker_hue, marker_hue)) return {bits(path), 0};
+  return {bits(path), bits(_mm256_and_si256(bright_and_saturated(test.marker, value, chroma), marker_hue))};
 }
 
 // Returns the number of marker pixels among the first width.
 LINESERVO_AVX2 int classify_row(const std::int16_t* upper, const std::int16_t* lower, const BilinearTap& tap,
-                                const RedSectorTest& test, int width, PackedMask::Word* path) {
+                                const RedSectorTest& test, int chroma_least, int width,
+                                PackedMask::Word* path) {
   const RowWeights weights{_mm256_set1_epi16(tap.w0), _mm256_set1_epi16(tap.w1)};
-  const ClassTables path_tables = tables(test.path), marker_tables = tables(test.marker);
+  const TestTables test_tables = tables(test, chroma_least);
   int marker_pixels = 0;
   for (int x = 0; x < width; x += kGroup, upper += kGroupWords, lower += kGroupWords) {
     const __m256i b = blend_bytes(upper, lower, weights);
     const __m256i g = blend_bytes(upper + 32, lower + 32, weights);
     const __m256i r = blend_bytes(upper + 64, lower + 64, weights);
-    const GroupMasks masks = classify_group(b, g, r, path_tables, marker_tables);
+    const GroupMasks masks = classify_group(b, g, r, test_tables);
     const std::uint32_t inside = width - x >= kGroup ? ~0U : (1U << (width - x)) - 1U;
     marker_pixels += __builtin_popcount(masks.marker & inside);
     const PackedMask::Word bits = masks.path & inside;
@@ -295,7 +310,10 @@ std::int16_t* aligned(std::vector<std::int16_t>& row) {
 
 Avx2Classifier::Avx2Classifier(const SegmenterOptions& options, const RedSectorTest& test,
                                cv::Size frame_size)
-    : test_(test), width_(options.width_px), rows_(bilinear_rows(frame_size.height, options.height_px)) {
+    : test_(test),
+      chroma_least_(std::min(least_chroma(test.path), least_chroma(test.marker))),
+      width_(options.width_px),
+      rows_(bilinear_rows(frame_size.height, options.height_px)) {
   const std::vector<BilinearTap> columns = bilinear_columns(frame_size.width, options.width_px);
   pairs_are_near_ = all_near(columns);
   gathers_ = plan_row(columns, 3 * frame_size.width, pairs_are_near_);
@@ -308,8 +326,8 @@ int Avx2Classifier::classify(const cv::Mat& frame, PackedMask& path) {
   for (std::size_t y = 0; y < rows_.size(); ++y) {
     const std::int16_t* upper = resized_row(frame, rows_[y].i0);
     const std::int16_t* lower = resized_row(frame, rows_[y].i1);
-    marker_pixels +=
-        classify_row(upper, lower, rows_[y], test_, width_, path.row(static_cast<int>(y)).data());
+    marker_pixels += classify_row(upper, lower, rows_[y], test_, chroma_least_, width_,
+                                  path.row(static_cast<int>(y)).data());
   }
   return marker_pixels;
 }

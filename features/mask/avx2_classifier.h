@@ -33,6 +33,7 @@ class Avx2Classifier : public FrameClassifier {
   const std::int16_t* resized_row(const cv::Mat& frame, int y);
 
   RedSectorTest test_;
+  int chroma_least_;  // of a pixel of either class
   int width_;
   bool pairs_are_near_;
   std::vector<Gather> gathers_;

@@ -27,8 +27,11 @@ class ColorClasses {
   std::uint8_t of_value(int v) const { return value_[static_cast<std::size_t>(v)]; }
 
   std::uint8_t of(int b, int g, int r) const {
-    const Hsv hsv = hsv_of(b, g, r);
-    return static_cast<std::uint8_t>(of_hue(hsv.h) & of_saturation(hsv.s) & of_value(hsv.v));
+    const int v = std::max(std::max(b, g), r);
+    const int chroma = v - std::min(std::min(b, g), r);
+    const int candidates = of_value(v) & of_saturation(saturation(chroma, v));
+    if (candidates == 0) return 0;  // bare floor, as most pixels are
+    return static_cast<std::uint8_t>(candidates & of_hue(hue(hue_numerator(b, g, r, v, chroma), chroma)));
   }
 
  private:

@@ -6,14 +6,6 @@
 
 namespace lineservo::features {
 
-Processor best_processor() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") ? Processor::avx2 : Processor::portable;
-#else
-  return Processor::portable;
-#endif
-}
-
 std::unique_ptr<FrameClassifier> make_classifier(const SegmenterOptions& options, cv::Size frame_size,
                                                  Processor processor) {
 #if defined(__x86_64__)

@@ -4,15 +4,10 @@
 #include <opencv2/core/mat.hpp>
 
 #include "features/mask/packed_mask.h"
+#include "features/mask/processor.h"
 #include "features/mask/segmenter_options.h"
 
 namespace lineservo::features {
-
-/// Which instructions the pixel loops use. The results are identical.
-enum class Processor { portable, avx2 };
-
-/// The fastest that this machine runs.
-Processor best_processor();
 
 /// Resizes a frame and tests the colour of every pixel of the result in one pass: what cv::resize, cvtColor
 /// and inRange do one after the other, bit for bit. Keeps its scratch memory between frames.

@@ -2,18 +2,21 @@
 
 #include <vector>
 
+#include "features/mask/filter_kernels.h"
 #include "features/mask/packed_mask.h"
+#include "features/mask/processor.h"
 
 namespace lineservo::features {
 
-/// The two filters of topology §2.1 on packed masks of one size, 64 pixels an operation. Each is split into
-/// a pass along the rows and one across them; the intermediate rows are kept between frames.
+/// The two filters of topology §2.1 on packed masks of one size. Each is a pass along the rows, whose last
+/// five results are kept, and a pass across those five. Rows beyond the top or bottom repeat the border row;
+/// for dilation and erosion that is the same as leaving them out.
 class MaskFilter {
  public:
-  MaskFilter(int width, int height);
+  MaskFilter(int width, int height, Processor processor = best_processor());
 
   /// Foreground where at least 13 of the 25 pixels around are; outside, the border pixel is repeated. The
-  /// same as cv::medianBlur of size 5.
+  /// same as cv::medianBlur of size 5. in and out may be the same mask.
   void median_5x5(const PackedMask& in, PackedMask& out);
 
   /// Dilation, then erosion, by a 5×5 square; what lies outside influences neither. The same as
@@ -22,29 +25,24 @@ class MaskFilter {
 
  private:
   using Word = PackedMask::Word;
+  static constexpr unsigned kRing = 8;  // rows: the five in use, rounded up so that the index is a mask
 
-  /// Words of an image with two rows more above and below, rows padded to whole vectors.
-  struct Plane {
-    Plane(std::size_t row_words, int height)
-        : stride(row_words), words(row_words * (static_cast<std::size_t>(height) + 4)) {}
-    Word* row(int y) { return words.data() + static_cast<std::size_t>(y + 2) * stride; }
-    std::size_t stride;
-    std::vector<Word> words;
-  };
+  Word* ring_row(int y);
+  CountRow count_row(int y);
+  RowBits bits() const { return {inside_.data(), left_.data(), right_.data()}; }
+  bool fits(const PackedMask& mask) const { return mask.width() == width_ && mask.height() == height_; }
 
-  void load_row(std::span<const Word> row, Word before, Word after);
-  void load_row_repeating_ends(std::span<const Word> row);
-  void store_row(std::span<Word> row) const;
-  void count_along_rows(const PackedMask& in);
-  void dilate(const PackedMask& in, PackedMask& out);
-  void erode(const PackedMask& in, PackedMask& out);
+  /// Calls along(y) for every row, and across(y) as soon as along has been through rows up to y + 2.
+  template <typename Along, typename Across>
+  void sweep(Along along, Across across);
+  /// The background of the dilation of a mask.
+  void dilate_and_invert(const PackedMask& in, PackedMask& out);
 
+  const FilterKernels* kernels_;
   int width_, height_;
-  std::size_t padded_words_;
-  Word last_word_pixels_;
-  std::vector<Word> line_;    // one row with a word more before and after it
-  std::vector<Word> result_;  // one row
-  Plane ones_, twos_, fours_;
+  std::size_t stride_;
+  std::vector<Word> inside_, left_, right_;  // see RowBits
+  std::vector<Word> ring_;                   // kRing rows of three digits
 };
 
 }  // namespace lineservo::features

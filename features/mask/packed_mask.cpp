@@ -7,10 +7,12 @@ namespace lineservo::features {
 
 PackedMask::PackedMask(int width, int height)
     : width_(width), height_(height), words_per_row_((width + kWordBits - 1) / kWordBits) {
-  constexpr int kMaxSide = 65536;
+  constexpr int kMaxSide = 65535;
   if (width < 1 || width > kMaxSide || height < 1 || height > kMaxSide)
-    throw std::invalid_argument("mask: both sides must be 1 to 65536 px");
-  words_.resize(row_size() * static_cast<std::size_t>(height));
+    throw std::invalid_argument("mask: both sides must be 1 to 65535 px");
+  // The words of a row, one of zeros at least, rounded up.
+  stride_ = (static_cast<std::size_t>(words_per_row_) / kAlignedWords + 1) * kAlignedWords;
+  words_.resize(index(0, height) + kAlignedWords);
 }
 
 PackedMask PackedMask::from_mat(const cv::Mat& image) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <span>
@@ -11,13 +12,16 @@ namespace lineservo::features {
 
 /// A binary image, 64 pixels to a word: pixel (x, y) is bit x mod 64 of word x / 64 of row y.
 /// Every row starts on a word. Bits past the width are always zero; who writes through `row` keeps it so.
+///
+/// Rows lie `stride` words apart, a multiple of four, and at least one word of zeros stands before and after
+/// every row: vector code reads whole rows and their neighbouring words without looking for the ends.
 class PackedMask {
  public:
   using Word = std::uint64_t;
   static constexpr int kWordBits = 64;
 
   PackedMask() = default;
-  /// All background. Throws std::invalid_argument unless both sides are 1 to 65536 px.
+  /// All background. Throws std::invalid_argument unless both sides are 1 to 65535 px.
   PackedMask(int width, int height);
   /// Foreground where the pixel is not zero. Throws std::invalid_argument unless the image is CV_8UC1.
   static PackedMask from_mat(const cv::Mat& image);
@@ -25,12 +29,18 @@ class PackedMask {
   int width() const { return width_; }
   int height() const { return height_; }
   int words_per_row() const { return words_per_row_; }
+  /// Words from the start of one row to the start of the next.
+  std::size_t stride() const { return stride_; }
 
   bool at(int x, int y) const { return (words_[index(x, y)] >> (x % kWordBits)) & 1U; }
   void set(int x, int y, bool foreground = true);
 
-  std::span<const Word> row(int y) const { return {words_.data() + index(0, y), row_size()}; }
-  std::span<Word> row(int y) { return {words_.data() + index(0, y), row_size()}; }
+  std::span<const Word> row(int y) const {
+    return {words_.data() + index(0, y), static_cast<std::size_t>(words_per_row_)};
+  }
+  std::span<Word> row(int y) {
+    return {words_.data() + index(0, y), static_cast<std::size_t>(words_per_row_)};
+  }
   /// Which bits of a row's last word are pixels.
   Word last_word_pixels() const { return ~Word{0} >> (words_per_row_ * kWordBits - width_); }
 
@@ -45,14 +55,17 @@ class PackedMask {
   friend bool operator==(const PackedMask&, const PackedMask&) = default;
 
  private:
+  static constexpr std::size_t kAlignedWords = 4;
+
+  // The first row starts after one aligned group of zeros.
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * row_size() + static_cast<std::size_t>(x / kWordBits);
+    return kAlignedWords + static_cast<std::size_t>(y) * stride_ + static_cast<std::size_t>(x / kWordBits);
   }
-  std::size_t row_size() const { return static_cast<std::size_t>(words_per_row_); }
 
   int width_ = 0;
   int height_ = 0;
   int words_per_row_ = 0;
+  std::size_t stride_ = 0;
   std::vector<Word> words_;
 };
 

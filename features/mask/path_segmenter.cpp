@@ -24,7 +24,7 @@ void require_frame(const cv::Mat& frame) {
 PathSegmenter::PathSegmenter(const SegmenterOptions& options, Processor processor)
     : options_(validated(options)),
       processor_(processor),
-      filter_(options.width_px, options.height_px),
+      filter_(options.width_px, options.height_px, processor),
       colored_(options.width_px, options.height_px),
       smooth_(options.width_px, options.height_px),
       result_{PackedMask(options.width_px, options.height_px), 0} {}

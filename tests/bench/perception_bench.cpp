@@ -16,11 +16,10 @@ namespace {
 using features::Processor;
 using support::StockSegmentation;
 
-const cv::Size kFrame(640, 480);
-const cv::Size kVga = kFrame, kFullHd(1920, 1080);
+const cv::Size kVga(640, 480), kFullHd(1920, 1080);
 
-// Two levels of pixel noise: as the `paper` and the `harsh` conditions have it.
-const cv::Mat& frame(cv::Size size = kFrame) {
+// A wide cross and a red disc with the pixel noise of the `paper` conditions.
+const cv::Mat& frame(cv::Size size = kVga) {
   static const cv::Mat vga = support::floor_scene(kVga, 7.0, 2.0),
                        full_hd = support::floor_scene(kFullHd, 7.0, 2.0);
   return size == kVga ? vga : full_hd;

@@ -58,7 +58,7 @@ TEST(PackedMask, AnyValueButZeroIsForeground) {
 TEST(PackedMask, RefusesBadSizesAndTypes) {
   EXPECT_THROW(PackedMask(0, 4), std::invalid_argument);
   EXPECT_THROW(PackedMask(4, -1), std::invalid_argument);
-  EXPECT_THROW(PackedMask(65537, 4), std::invalid_argument);
+  EXPECT_THROW(PackedMask(65536, 4), std::invalid_argument);
   EXPECT_THROW(PackedMask::from_mat(cv::Mat::zeros(4, 4, CV_8UC3)), std::invalid_argument);
   EXPECT_THROW(PackedMask::from_mat(cv::Mat()), std::invalid_argument);
 }
