@@ -19,7 +19,7 @@ struct StripeOptions {
   double min_fill = 0.6;           ///< share of the place between the borders that is painted
   double min_width = 0.015;
   double max_width = 1.8;
-  double bridged_gap = 0.25;  ///< worn paint of this length does not end a stripe
+  double bridged_gap = 0.35;  ///< worn paint of this length does not end a stripe
   double carries_on = 0.3;    ///< a stripe of at least this length is worth following
 };
 
