@@ -41,6 +41,7 @@ StripeFinder::StripeFinder(const StripeOptions& options) : options_(options) {
   require(options.min_fill > 0.0 && options.min_fill <= 1.0, "min_fill must be in (0, 1]");
   require(options.min_width > 0.0 && options.min_width < options.max_width,
           "min_width must be positive and below max_width");
+  require(options.min_quality >= 0.0 && options.min_quality <= 1.0, "min_quality must be in [0, 1]");
   require(options.bridged_gap >= 0.0, "bridged_gap must not be negative");
   require(options.carries_on >= 0.0, "carries_on must not be negative");
 }
@@ -55,6 +56,7 @@ void StripeFinder::find(const LevelMask& mask, const std::vector<BorderPoint>& p
   search_pairs();
   std::replace(use_.begin(), use_.end(), PointUse::deferred, PointUse::free);
   search_single_borders(prior);
+  drop_wear();
   rank(prior);
 }
 
@@ -83,16 +85,16 @@ bool StripeFinder::take_pair(double theta_rad) {
       const double width = far.rho - near.rho, length = near.length + far.length;
       if (width < options_.min_width || width > options_.max_width) continue;
       if (length < std::max(options_.min_border_length, options_.min_border_widths * width)) continue;
-      candidates_.push_back({{theta_rad, 0.5 * (near.rho + far.rho), width}, length});
+      const StripeCourse course{theta_rad, 0.5 * (near.rho + far.rho), width};
+      const double painted = fill(course, support(course));
+      if (painted >= options_.min_fill) candidates_.push_back({course, length * painted});
     }
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.border_length > b.border_length; });
-  for (const Candidate& candidate : candidates_) {
-    if (fill(candidate.course, support(candidate.course)) < options_.min_fill) continue;
-    if (accept(candidate.course, WidthIs::free, true)) return true;
-  }
-  return false;
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  return std::any_of(candidates_.begin(), candidates_.end(), [this](const Candidate& candidate) {
+    return accept(candidate.course, WidthIs::free, true);
+  });
 }
 
 bool StripeFinder::take_single_border(double theta_rad, double known_width) {
@@ -137,6 +139,7 @@ bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_bo
 
 // A stripe is longer than it is wide, unless the view cuts it at both ends.
 bool StripeFinder::is_acceptable(const Stripe& stripe) const {
+  if (stripe.feature.quality < options_.min_quality) return false;
   if (stripe.begin.leaves_view && stripe.end.leaves_view) return true;
   return stripe.end.along - stripe.begin.along >= 1.1 * stripe.course.width;
 }
@@ -248,6 +251,27 @@ Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders) const {
   feature.begin = point(stripe.begin.along);
   feature.end = point(stripe.end.along);
   return stripe;
+}
+
+// Between a gap and a blotch, or at a cap, worn paint shows pieces that start and end inside a longer stripe.
+void StripeFinder::drop_wear() {
+  const auto length = [](const Stripe& s) { return s.end.along - s.begin.along; };
+  const auto inside = [&length](const Stripe& piece, const Stripe& whole) {
+    if (length(piece) >= length(whole)) return false;
+    const StripeAxes axes(whole.course);
+    const double reach = 0.5 * whole.course.width + std::max(kBesideEnd, 0.2 * whole.course.width);
+    const auto within = [&](const LevelPoint& p) {
+      const double along = axes.along(p.vector());
+      return std::abs(axes.across(p.vector())) < reach && along > whole.begin.along - kBesideEnd &&
+             along < whole.end.along + kBesideEnd;
+    };
+    return within(piece.feature.begin) && within(piece.feature.end);
+  };
+  for (auto piece = stripes_->begin(); piece != stripes_->end();) {
+    const bool is_wear = std::any_of(stripes_->begin(), stripes_->end(),
+                                     [&](const Stripe& whole) { return inside(*piece, whole); });
+    piece = is_wear ? stripes_->erase(piece) : piece + 1;
+  }
 }
 
 void StripeFinder::rank(const std::optional<StripePrior>& prior) {

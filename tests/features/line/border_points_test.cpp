@@ -35,7 +35,7 @@ TEST_F(BorderPoints, LieOnTheStripesBordersAndLookIntoIt) {
     const double across = axes.across(point.p_L);
     EXPECT_NEAR(std::abs(across), 0.36, 0.005);  // half of 0.36 m / 0.5 m, to a pixel
     const double inward = across > 0.0 ? -1.0 : 1.0;
-    EXPECT_GT(point.normal.dot(axes.normal()) * inward, std::cos(radians(8.0)));
+    EXPECT_GT(point.normal.dot(axes.normal()) * inward, std::cos(radians(10.0)));
   }
 }
 
