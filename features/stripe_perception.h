@@ -13,10 +13,10 @@
 namespace lineservo::features {
 
 struct StripePerceptionOptions {
-  BorderOptions border;
-  StripeOptions stripe;
-  JunctionOptions junction;
-  ArmVisibility visibility;
+  BorderOptions border = {};
+  StripeOptions stripe = {};
+  JunctionOptions junction = {};
+  ArmVisibility visibility = {};
   double certain_end = 0.25;   ///< bare floor past the end of a stripe that shows, by itself, that it stops
   double junction_end = 0.04;  ///< the same where a junction explains the end
 };

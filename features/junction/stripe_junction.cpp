@@ -12,7 +12,7 @@
 namespace lineservo::features {
 namespace {
 
-constexpr double kStep = 0.02;        // along an arm
+constexpr double kStep = 0.03;        // along an arm
 constexpr double kNodeMargin = 0.01;  // paint of the other stripe may reach so far past its border
 
 void require(bool holds, const char* fault) {
@@ -41,10 +41,9 @@ double distance_from_image_centre_px(const LevelMask& mask, const LevelPoint& ce
 JunctionFinder::JunctionFinder(const JunctionOptions& options) : options_(options) {
   require(options.min_angle_rad > 0.0 && options.min_angle_rad < kPi / 2.0,
           "min_angle_rad must be in (0, π/2)");
-  require(options.looked_at > 0.0, "looked_at must be positive");
   require(options.min_painted > 0.0 && options.min_painted <= 1.0, "min_painted must be in (0, 1]");
   require(options.min_seen > 0.0, "min_seen must be positive");
-  require(options.bridged_gap >= 0.0, "bridged_gap must not be negative");
+  require(options.max_gap >= 0.0, "max_gap must not be negative");
 }
 
 std::optional<StripeJunction> JunctionFinder::find(const LevelMask& mask,
@@ -87,10 +86,11 @@ std::optional<StripeJunction> JunctionFinder::meeting(const LevelMask& mask, con
 
 int JunctionFinder::add_arms(const LevelMask& mask, const Stripe& stripe, double half_node,
                              StripeJunction& junction) const {
-  const double centre_along = junction.feature.centre.vector().dot(stripe.course.forward());
+  const StripeAxes axes(stripe.course);
+  const double centre_along = axes.along(junction.feature.centre.vector());
   int found = 0;
   for (const int way : {+1, -1}) {
-    const auto seen = arm(mask, stripe, centre_along, way, half_node);
+    const auto seen = arm(mask, stripe, axes, centre_along, way, half_node);
     if (!seen) continue;
     junction.arms.push_back(*seen);
     ++found;
@@ -99,19 +99,22 @@ int JunctionFinder::add_arms(const LevelMask& mask, const Stripe& stripe, double
 }
 
 std::optional<JunctionArm> JunctionFinder::arm(const LevelMask& mask, const Stripe& stripe,
-                                               double centre_along, int way, double half_node) const {
+                                               const StripeAxes& axes, double centre_along, int way,
+                                               double half_node) const {
+  const StripeEnd& end = way > 0 ? stripe.end : stripe.begin;
+  const StripeEnd& start = way > 0 ? stripe.begin : stripe.end;
   const double from = centre_along + way * half_node;
+  const double reach = way * (end.along - from);
+  if (reach < options_.min_seen || way * (start.along - from) > options_.max_gap) return std::nullopt;
   int seen = 0, painted = 0;
-  for (double gone = 0.5 * kStep; gone < options_.looked_at; gone += kStep) {
-    const CrossSection section = cross_section(mask, stripe.course, from + way * gone);
-    if (section.is_out_of_view()) continue;
-    ++seen;
+  for (double gone = 0.5 * kStep; gone < reach; gone += kStep) {
+    const CrossSection section = cross_section(mask, axes, from + way * gone);
+    seen += int{!section.is_out_of_view()};
     painted += int{section.is_painted()};
   }
-  if (seen * kStep < options_.min_seen || painted < options_.min_painted * seen) return std::nullopt;
-  const StripeEnd end = follow_paint(mask, stripe.course, from, way, options_.bridged_gap);
+  if (seen * kStep < 0.5 * options_.min_seen || painted < options_.min_painted * seen) return std::nullopt;
   JunctionArm found;
-  const Eigen::Vector2d along = way * stripe.course.forward();
+  const Eigen::Vector2d along = way * axes.forward();
   found.feature.angle_rad = std::atan2(-along.x(), -along.y());
   found.feature.length = std::max(0.0, std::abs(end.along - centre_along) - 0.5 * stripe.course.width);
   found.width = stripe.course.width;

@@ -13,10 +13,9 @@ namespace lineservo::features {
 /// Lengths in normalised units (metres on the floor over the height).
 struct JunctionOptions {
   double min_angle_rad = 20.0 * 3.14159265358979323846 / 180.0;  ///< between stripes that may meet
-  double looked_at = 0.5;     ///< length of an arm, beyond the node, on which its existence is judged
-  double min_painted = 0.55;  ///< share of that length that is painted
-  double min_seen = 0.02;     ///< of an arm that must be in view at all
-  double bridged_gap = 0.25;  ///< worn paint of this length does not end an arm
+  double min_painted = 0.5;  ///< share of an arm, from the node to its end, that is painted
+  double min_seen = 0.04;    ///< length of an arm, beyond the node, that must be in view
+  double max_gap = 0.45;     ///< bare floor, worn paint, between the node and where its arm is first seen
 };
 
 /// A place where stripes meet, with what the code rule needs of its arms.
@@ -36,8 +35,8 @@ class JunctionFinder {
  private:
   std::optional<StripeJunction> meeting(const LevelMask& mask, const Stripe& a, const Stripe& b) const;
   int add_arms(const LevelMask& mask, const Stripe& stripe, double half_node, StripeJunction& junction) const;
-  std::optional<JunctionArm> arm(const LevelMask& mask, const Stripe& stripe, double centre_along, int way,
-                                 double half_node) const;
+  std::optional<JunctionArm> arm(const LevelMask& mask, const Stripe& stripe, const StripeAxes& axes,
+                                 double centre_along, int way, double half_node) const;
 
   JunctionOptions options_;
 };

@@ -1,7 +1,6 @@
 #include "features/line/stripe_extent.h"
 
 #include <algorithm>
-#include <array>
 
 namespace lineservo::features {
 namespace {
@@ -11,31 +10,29 @@ constexpr double kInset = 0.015;   // of the outer samples from the border: 3 ma
 constexpr double kLongest = 4.0;   // no view reaches further
 constexpr double kLastGap = 0.06;  // bare floor of this length before the edge of the image ends a stripe
 
-std::array<double, 5> across_samples(double width) {
-  const double outer = std::max(0.5 * width - kInset, 0.25 * width);
-  return {-outer, -0.3 * width, 0.0, 0.3 * width, outer};
+void sample(const LevelMask& mask, const Eigen::Vector2d& p_L, CrossSection& section) {
+  const Paint paint = mask.at(p_L);
+  section.in_view += int{paint != Paint::out_of_view};
+  section.painted += int{paint == Paint::painted};
 }
 
 }  // namespace
 
-CrossSection cross_section(const LevelMask& mask, const StripeCourse& course, double along) {
+CrossSection cross_section(const LevelMask& mask, const StripeAxes& axes, double along) {
   CrossSection section;
-  const Eigen::Vector2d centre = course.at(along, 0.0);
-  const Eigen::Vector2d normal = course.normal();
-  for (const double across : across_samples(course.width)) {
-    const Paint paint = mask.at(centre + across * normal);
-    section.in_view += int{paint != Paint::out_of_view};
-    section.painted += int{paint == Paint::painted};
-  }
+  const double inner = 0.3 * axes.width();
+  for (const double across : {-inner, 0.0, inner}) sample(mask, axes.at(along, across), section);
+  if (section.in_view == 3) return section;
+  const double outer = std::max(0.5 * axes.width() - kInset, 0.25 * axes.width());
+  for (const double across : {-outer, outer}) sample(mask, axes.at(along, across), section);
   return section;
 }
 
-StripeEnd follow_paint(const LevelMask& mask, const StripeCourse& course, double along, int way,
-                       double bridged) {
+StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged) {
   StripeEnd end{.along = along, .leaves_view = false, .bare = 0.0};
   for (double gone = 0.0; gone < kLongest; gone += kStep) {
     const double here = along + way * gone;
-    const CrossSection section = cross_section(mask, course, here);
+    const CrossSection section = cross_section(mask, axes, here);
     if (section.is_out_of_view()) {
       end.leaves_view = end.bare < kLastGap;
       break;
@@ -50,12 +47,12 @@ StripeEnd follow_paint(const LevelMask& mask, const StripeCourse& course, double
   return end;
 }
 
-double border_in_view(const LevelMask& mask, const StripeCourse& course, double from, double to) {
+double border_in_view(const LevelMask& mask, const StripeAxes& axes, double from, double to) {
   constexpr double step = 2.0 * kStep;
   int seen = 0;
   for (double along = from; along <= to; along += step)
     for (const double side : {-0.5, 0.5})
-      seen += int{mask.at(course.at(along, side * course.width)) != Paint::out_of_view};
+      seen += int{mask.at(axes.at(along, side * axes.width())) != Paint::out_of_view};
   return seen * step;
 }
 

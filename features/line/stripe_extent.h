@@ -14,15 +14,15 @@ struct CrossSection {
   bool is_painted() const { return 2 * painted > in_view; }
 };
 
-/// Five samples across the stripe, at `along` of StripeCourse::at.
-CrossSection cross_section(const LevelMask& mask, const StripeCourse& course, double along);
+/// Samples across the stripe, those near its borders only where the middle is out of view, at `along` of
+/// StripeAxes.
+CrossSection cross_section(const LevelMask& mask, const StripeAxes& axes, double along);
 
 /// Follows the paint from `along` one way (+1 forward, −1 back) to where it stops or leaves the view. Bare
 /// stretches of up to `bridged` are worn paint when paint follows them.
-StripeEnd follow_paint(const LevelMask& mask, const StripeCourse& course, double along, int way,
-                       double bridged);
+StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged);
 
 /// The length of both borders that lies in view between two places along the stripe.
-double border_in_view(const LevelMask& mask, const StripeCourse& course, double from, double to);
+double border_in_view(const LevelMask& mask, const StripeAxes& axes, double from, double to);
 
 }  // namespace lineservo::features

@@ -41,6 +41,7 @@ StripeFinder::StripeFinder(const StripeOptions& options) : options_(options) {
   require(options.min_fill > 0.0 && options.min_fill <= 1.0, "min_fill must be in (0, 1]");
   require(options.min_width > 0.0 && options.min_width < options.max_width,
           "min_width must be positive and below max_width");
+  require(options.min_quality >= 0.0 && options.min_quality <= 1.0, "min_quality must be in [0, 1]");
   require(options.bridged_gap >= 0.0, "bridged_gap must not be negative");
   require(options.carries_on >= 0.0, "carries_on must not be negative");
 }
@@ -55,6 +56,7 @@ void StripeFinder::find(const LevelMask& mask, const std::vector<BorderPoint>& p
   search_pairs();
   std::replace(use_.begin(), use_.end(), PointUse::deferred, PointUse::free);
   search_single_borders(prior);
+  drop_wear();
   rank(prior);
 }
 
@@ -83,16 +85,16 @@ bool StripeFinder::take_pair(double theta_rad) {
       const double width = far.rho - near.rho, length = near.length + far.length;
       if (width < options_.min_width || width > options_.max_width) continue;
       if (length < std::max(options_.min_border_length, options_.min_border_widths * width)) continue;
-      candidates_.push_back({{theta_rad, 0.5 * (near.rho + far.rho), width}, length});
+      const StripeCourse course{theta_rad, 0.5 * (near.rho + far.rho), width};
+      const double painted = fill(course, support(course));
+      if (painted >= options_.min_fill) candidates_.push_back({course, length * painted});
     }
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.border_length > b.border_length; });
-  for (const Candidate& candidate : candidates_) {
-    if (fill(candidate.course, support(candidate.course)) < options_.min_fill) continue;
-    if (accept(candidate.course, WidthIs::free, true)) return true;
-  }
-  return false;
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  return std::any_of(candidates_.begin(), candidates_.end(), [this](const Candidate& candidate) {
+    return accept(candidate.course, WidthIs::free, true);
+  });
 }
 
 bool StripeFinder::take_single_border(double theta_rad, double known_width) {
@@ -137,13 +139,15 @@ bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_bo
 
 // A stripe is longer than it is wide, unless the view cuts it at both ends.
 bool StripeFinder::is_acceptable(const Stripe& stripe) const {
+  if (stripe.feature.quality < options_.min_quality) return false;
   if (stripe.begin.leaves_view && stripe.end.leaves_view) return true;
   return stripe.end.along - stripe.begin.along >= 1.1 * stripe.course.width;
 }
 
 // The same paint seen at nearly the same angle: what is left over of a bent or ragged stripe.
 bool StripeFinder::repeats(const Stripe& stripe) const {
-  const Eigen::Vector2d middle = stripe.course.at(0.5 * (stripe.begin.along + stripe.end.along), 0.0);
+  const Eigen::Vector2d middle =
+      StripeAxes(stripe.course).at(0.5 * (stripe.begin.along + stripe.end.along), 0.0);
   return std::any_of(stripes_->begin(), stripes_->end(), [&](const Stripe& other) {
     if (axis_difference(stripe.course.theta_rad, other.course.theta_rad) > kSameDirection_rad) return false;
     const double apart = std::abs(middle.dot(other.course.normal()) - other.course.rho);
@@ -153,27 +157,27 @@ bool StripeFinder::repeats(const Stripe& stripe) const {
 
 bool StripeFinder::only_one_border_in_view(const StripeCourse& course, double side) const {
   const Support range = support(course);
+  const StripeAxes axes(course);
   constexpr int samples = 12;
   int seen = 0;
   for (int k = 0; k < samples; ++k) {
     const double along = range.from + (range.to - range.from) * (k + 0.5) / samples;
-    const Eigen::Vector2d beyond = course.at(along, side * (0.5 * course.width + kNear));
+    const Eigen::Vector2d beyond = axes.at(along, side * (0.5 * course.width + kNear));
     seen += int{mask_->at(beyond) != Paint::out_of_view};
   }
   return 2 * seen < samples;
 }
 
 void StripeFinder::spend_points_of(const Stripe& stripe) {
-  const Eigen::Vector2d normal = stripe.course.normal();
-  const Eigen::Vector2d forward = stripe.course.forward();
+  const StripeAxes axes(stripe.course);
   const double half = 0.5 * stripe.course.width;
   for (std::size_t i = 0; i < points_->size(); ++i) {
     const BorderPoint& point = (*points_)[i];
-    const double across = std::abs(point.p_L.dot(normal) - stripe.course.rho);
-    const double along = point.p_L.dot(forward);
+    const double across = std::abs(axes.across(point.p_L));
+    const double along = axes.along(point.p_L);
     const bool beside = along > stripe.begin.along - kBesideEnd && along < stripe.end.along + kBesideEnd;
     const bool inside = across < half + 0.5 * kOwn && beside;
-    const bool own = across < half + kOwn && std::abs(point.normal.dot(normal)) > kFacing;
+    const bool own = across < half + kOwn && std::abs(point.normal.dot(axes.normal())) > kFacing;
     if (inside || (own && across > half - kOwn)) use_[i] = PointUse::spent;
   }
 }
@@ -185,14 +189,13 @@ void StripeFinder::defer_direction(double theta_rad) {
 }
 
 StripeFinder::Support StripeFinder::support(const StripeCourse& course) const {
-  const Eigen::Vector2d normal = course.normal();
-  const Eigen::Vector2d forward = course.forward();
+  const StripeAxes axes(course);
   Support range{.from = std::numeric_limits<double>::infinity(),
                 .to = -std::numeric_limits<double>::infinity()};
   for (const BorderPoint& point : *points_) {
-    if (std::abs(border_residual(point, course, normal)) > kNear) continue;
-    if (std::abs(point.normal.dot(normal)) < kFacing) continue;
-    const double along = point.p_L.dot(forward);
+    if (std::abs(border_residual(point, course, axes.normal())) > kNear) continue;
+    if (std::abs(point.normal.dot(axes.normal())) < kFacing) continue;
+    const double along = axes.along(point.p_L);
     range.from = std::min(range.from, along);
     range.to = std::max(range.to, along);
     range.length += point.length;
@@ -203,10 +206,11 @@ StripeFinder::Support StripeFinder::support(const StripeCourse& course) const {
 
 double StripeFinder::fill(const StripeCourse& course, const Support& support) const {
   constexpr int sections = 16;
+  const StripeAxes axes(course);
   int seen = 0, painted = 0;
   for (int k = 0; k < sections; ++k) {
     const double along = support.from + (support.to - support.from) * (k + 0.5) / sections;
-    const CrossSection section = cross_section(*mask_, course, along);
+    const CrossSection section = cross_section(*mask_, axes, along);
     seen += section.in_view;
     painted += section.painted;
   }
@@ -214,9 +218,10 @@ double StripeFinder::fill(const StripeCourse& course, const Support& support) co
 }
 
 double StripeFinder::depth_in_view(const StripeCourse& border, double side) const {
+  const StripeAxes axes(border);
   const double along = support(border).middle();
   double depth = 0.0;
-  while (depth < options_.max_width && mask_->at(border.at(along, side * (depth + kOwn))) == Paint::painted)
+  while (depth < options_.max_width && mask_->at(axes.at(along, side * (depth + kOwn))) == Paint::painted)
     depth += kOwn;
   return depth;
 }
@@ -228,10 +233,11 @@ double StripeFinder::known_width(const std::optional<StripePrior>& prior) const 
 
 Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders) const {
   Stripe stripe{.course = fit.course, .feature = {}, .begin = {}, .end = {}, .both_borders = both_borders};
+  const StripeAxes axes(fit.course);
   const double middle = support(fit.course).middle();
-  stripe.end = follow_paint(*mask_, fit.course, middle, +1, options_.bridged_gap);
-  stripe.begin = follow_paint(*mask_, fit.course, middle, -1, options_.bridged_gap);
-  const double visible = border_in_view(*mask_, fit.course, stripe.begin.along, stripe.end.along);
+  stripe.end = follow_paint(*mask_, axes, middle, +1, options_.bridged_gap);
+  stripe.begin = follow_paint(*mask_, axes, middle, -1, options_.bridged_gap);
+  const double visible = border_in_view(*mask_, axes, stripe.begin.along, stripe.end.along);
   LineFeature& feature = stripe.feature;
   feature.rho = fit.course.rho;
   feature.theta_rad = fit.course.theta_rad;
@@ -239,12 +245,33 @@ Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders) const {
   feature.width = fit.course.width;
   feature.quality = std::min(1.0, (fit.rising_length + fit.falling_length) / std::max(visible, 1e-9));
   const auto point = [&](double along) {
-    const Eigen::Vector2d p = fit.course.at(along, 0.0);
+    const Eigen::Vector2d p = axes.at(along, 0.0);
     return LevelPoint{p.x(), p.y()};
   };
   feature.begin = point(stripe.begin.along);
   feature.end = point(stripe.end.along);
   return stripe;
+}
+
+// Between a gap and a blotch, or at a cap, worn paint shows pieces that start and end inside a longer stripe.
+void StripeFinder::drop_wear() {
+  const auto length = [](const Stripe& s) { return s.end.along - s.begin.along; };
+  const auto inside = [&length](const Stripe& piece, const Stripe& whole) {
+    if (length(piece) >= length(whole)) return false;
+    const StripeAxes axes(whole.course);
+    const double reach = 0.5 * whole.course.width + std::max(kBesideEnd, 0.2 * whole.course.width);
+    const auto within = [&](const LevelPoint& p) {
+      const double along = axes.along(p.vector());
+      return std::abs(axes.across(p.vector())) < reach && along > whole.begin.along - kBesideEnd &&
+             along < whole.end.along + kBesideEnd;
+    };
+    return within(piece.feature.begin) && within(piece.feature.end);
+  };
+  for (auto piece = stripes_->begin(); piece != stripes_->end();) {
+    const bool is_wear = std::any_of(stripes_->begin(), stripes_->end(),
+                                     [&](const Stripe& whole) { return inside(*piece, whole); });
+    piece = is_wear ? stripes_->erase(piece) : piece + 1;
+  }
 }
 
 void StripeFinder::rank(const std::optional<StripePrior>& prior) {

@@ -16,10 +16,11 @@ struct StripeOptions {
   int max_stripes = 6;
   double min_border_length = 0.2;  ///< of border that must support a stripe
   double min_border_widths = 0.5;  ///< the same in widths of the stripe: a disc shows 0.35 of its diameter
-  double min_fill = 0.6;           ///< share of the place between the borders that is painted
+  double min_fill = 0.4;           ///< share of the place between the borders that is painted, worn or not
+  double min_quality = 0.2;        ///< share of the visible border that must support a stripe
   double min_width = 0.015;
   double max_width = 1.8;
-  double bridged_gap = 0.25;  ///< worn paint of this length does not end a stripe
+  double bridged_gap = 0.35;  ///< worn paint of this length does not end a stripe
   double carries_on = 0.3;    ///< a stripe of at least this length is worth following
 };
 
@@ -39,7 +40,7 @@ class StripeFinder {
  private:
   struct Candidate {
     StripeCourse course;
-    double border_length = 0.0;
+    double score = 0.0;  ///< border that supports it, times the painted share between
   };
   /// The places along a course between which border points support it.
   struct Support {
@@ -63,6 +64,7 @@ class StripeFinder {
   double depth_in_view(const StripeCourse& border, double side) const;
   double known_width(const std::optional<StripePrior>& prior) const;
   Stripe measured(const StripeFit& fit, bool both_borders) const;
+  void drop_wear();
   void rank(const std::optional<StripePrior>& prior);
 
   StripeOptions options_;

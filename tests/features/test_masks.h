@@ -24,7 +24,9 @@ inline constexpr int kMaskSize = 400;
 class TestMask {
  public:
   TestMask(int width, int height)
-      : width_(width), height_(height), stride_((width + 63) / 64),
+      : width_(width),
+        height_(height),
+        stride_((width + 63) / 64),
         words_(static_cast<std::size_t>(stride_ * height), 0) {}
 
   void set(int x, int y, bool on) {
@@ -95,7 +97,9 @@ inline Floor node_floor(const std::vector<double>& arm_headings_rad, double widt
 
 inline constexpr double kAhead = 0.0, kLeft = kPi / 2.0, kRight = -kPi / 2.0, kBehind = kPi;
 
-inline Floor straight_floor(double width) { return node_floor({kAhead, kBehind}, width); }
+inline Floor straight_floor(double width) {
+  return node_floor({kAhead, kBehind}, width);
+}
 
 /// Where the vehicle stands: position on the floor, height, heading, attitude.
 struct Pose {
@@ -116,8 +120,9 @@ struct Pose {
 /// Calls each(x, y, floor point) for every mask pixel, by its own ray through the tilted camera.
 template <typename Each>
 void for_each_pixel(const MaskGeometry& geometry, const Pose& pose, Each&& each) {
-  const Eigen::Matrix3d R_WC = Eigen::AngleAxisd(pose.heading_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
-                               tilt_R_HB(pose.roll_rad, pose.pitch_rad) * down_camera_R_BC();
+  const Eigen::Matrix3d R_WC =
+      Eigen::AngleAxisd(pose.heading_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+      tilt_R_HB(pose.roll_rad, pose.pitch_rad) * down_camera_R_BC();
   for (int y = 0; y < geometry.height_px(); ++y) {
     for (int x = 0; x < geometry.width_px(); ++x) {
       const NormalizedPoint n = geometry.normalize({static_cast<double>(x), static_cast<double>(y)});
@@ -144,8 +149,10 @@ inline void blot(TestMask& mask, TestRandom& random, double share, double radius
   for (int k = 0; k < discs; ++k) {
     const double cx = random.uniform(0.0, view.width), cy = random.uniform(0.0, view.height);
     const double r = random.uniform(0.0, radius_px);
-    for (int y = std::max(0, static_cast<int>(cy - r)); y < std::min(view.height, static_cast<int>(cy + r)); ++y)
-      for (int x = std::max(0, static_cast<int>(cx - r)); x < std::min(view.width, static_cast<int>(cx + r)); ++x)
+    for (int y = std::max(0, static_cast<int>(cy - r)); y < std::min(view.height, static_cast<int>(cy + r));
+         ++y)
+      for (int x = std::max(0, static_cast<int>(cx - r)); x < std::min(view.width, static_cast<int>(cx + r));
+           ++x)
         if (std::hypot(x - cx, y - cy) < r) mask.set(x, y, on);
   }
 }
@@ -159,7 +166,8 @@ inline void add_noise(TestMask& mask, TestRandom& random, double probability) {
 }
 
 /// The true course of the line through a floor point with a heading, θ in (−π/2, π/2].
-inline StripeCourse true_course(const Pose& pose, const Eigen::Vector2d& p_W, double heading_rad, double width_m) {
+inline StripeCourse true_course(const Pose& pose, const Eigen::Vector2d& p_W, double heading_rad,
+                                double width_m) {
   const Eigen::Vector2d a = pose.level(p_W);
   const Eigen::Vector2d b = pose.level(p_W + Eigen::Vector2d(std::cos(heading_rad), std::sin(heading_rad)));
   const Eigen::Vector2d d = (b - a).normalized();
@@ -191,7 +199,8 @@ inline Eigen::Vector2d true_arm_size_px(const MaskGeometry& geometry, const Pose
     low = low.cwiseMin(Eigen::Vector2d(x, y));
     high = high.cwiseMax(Eigen::Vector2d(x, y));
   });
-  return high.x() < low.x() ? Eigen::Vector2d(0.0, 0.0) : Eigen::Vector2d(high - low + Eigen::Vector2d(1.0, 1.0));
+  return high.x() < low.x() ? Eigen::Vector2d(0.0, 0.0)
+                            : Eigen::Vector2d(high - low + Eigen::Vector2d(1.0, 1.0));
 }
 
 inline CodeTruth true_code(const MaskGeometry& geometry, const Pose& pose, const Floor& floor) {
@@ -205,10 +214,14 @@ inline CodeTruth true_code(const MaskGeometry& geometry, const Pose& pose, const
     if (size.minCoeff() < 20.0) continue;
     const double angle = wrap_angle(heading - pose.heading_rad);
     const int quarter = static_cast<int>(std::lround(angle / (kPi / 2.0)));
-    if (quarter == 0) arms.forward = true;
-    else if (quarter == 1) arms.left = true;
-    else if (quarter == -1) arms.right = true;
-    else arms.back = true;
+    if (quarter == 0)
+      arms.forward = true;
+    else if (quarter == 1)
+      arms.left = true;
+    else if (quarter == -1)
+      arms.right = true;
+    else
+      arms.back = true;
   }
   truth.code = arms == Arms{} ? JunctionCode::straight : code_of(arms);
   return truth;
