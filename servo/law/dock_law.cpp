@@ -18,6 +18,7 @@ void DockLaw::reset() {
 void DockLaw::observe(const Observation& observation, const Eigen::Vector2d& point_at_capture_m) {
   const Motion& odometry = observation.odometry_at_capture;
   const Eigen::Vector2d place_m = -(Eigen::Rotation2Dd(odometry.yaw_rad) * point_at_capture_m);
+  if (!place_m.allFinite()) return;
   if (last_captured_ && *last_captured_ >= observation.captured) return;
   const double dt_s = last_captured_ ? seconds(observation.captured - *last_captured_) : 0.0;
   const Eigen::Vector2d step_m = odometry.translation_m - last_odometry_.translation_m;

@@ -28,12 +28,16 @@ Command IbvsLineLaw::follow(const Observation& observation, const FollowGoal& go
 }
 
 std::optional<LineFeature> IbvsLineLaw::line_now(const Observation& observation) {
-  if (const LineFeature* seen = observation.features.line()) {
+  const LineFeature* seen = line_to_follow(observation);
+  const bool is_new = !last_ || observation.captured > last_->captured;
+  if (seen && is_new) {
     observe_drift(observation, *seen);
     last_ = {*seen, observation.captured, observation.odometry_at_capture, observation.capture_height_m};
   }
   if (!last_ || seconds(observation.now - last_->captured) > options_.coast_s) return std::nullopt;
-  return after(between(last_->odometry, observation.odometry_now), last_->line, last_->height_m);
+  LineFeature line = after(between(last_->odometry, observation.odometry_now), last_->line, last_->height_m);
+  line.rho *= last_->height_m / observation.height_m;  // the same metres, seen from the height now
+  return line;
 }
 
 // The vehicle's place to the left of the line is ρh. The odometry's own step across the line, in the line's

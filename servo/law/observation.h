@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <chrono>
+#include <cmath>
 
 #include "features/frame_features.h"
 #include "servo/law/motion.h"
@@ -29,6 +30,12 @@ struct Observation {
 /// What the vehicle moved since the frame was taken.
 inline Motion since_capture(const Observation& o) {
   return between(o.odometry_at_capture, o.odometry_now);
+}
+
+/// The line to follow, or none. One whose values are not finite counts as not seen.
+inline const features::LineFeature* line_to_follow(const Observation& o) {
+  const features::LineFeature* line = o.features.line();
+  return line && std::isfinite(line->rho) && std::isfinite(line->theta_rad) ? line : nullptr;
 }
 
 }  // namespace lineservo::servo

@@ -25,6 +25,7 @@ LineTask::~LineTask() = default;
 // line.
 TaskSolution LineTask::solve(double rho, double theta_rad, double height_m, double desired_height_m,
                              double forward_m_s, double drift_m_s) {
+  if (!(height_m > 0.0)) return {};  // on the floor nothing is seen; NaN too
   features_->line.buildFrom(rho, theta_rad, 0.0, 0.0, 1.0, -height_m);
   features_->depth.buildFrom(0.0, 0.0, height_m, std::log(height_m / desired_height_m));
   const Eigen::Vector3d error_rate(drift_m_s / height_m, 0.0, 0.0);

@@ -32,6 +32,7 @@ PointTask::~PointTask() = default;
 TaskSolution PointTask::solve(features::LevelPoint point, double theta_rad, double height_m,
                               double desired_height_m, double yaw_rate_rad_s,
                               const Eigen::Vector2d& drift_H_m_s) {
+  if (!(height_m > 0.0)) return {};  // on the floor nothing is seen; NaN too
   features_->point.buildFrom(point.x, point.y, height_m);
   features_->depth.buildFrom(0.0, 0.0, height_m, std::log(height_m / desired_height_m));
   Eigen::VectorXd error_rate = Eigen::VectorXd::Zero(heading_ == Heading::on_line ? 4 : 3);

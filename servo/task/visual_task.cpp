@@ -69,7 +69,8 @@ TaskSolution VisualTask::solve(const VelocityCommand& secondary, const Eigen::Ve
   servo.set_cVe(impl_->cVe);
   servo.set_eJe(impl_->eJe);
   vpColVector qdot = servo.computeControlLaw();
-  qdot += servo.secondaryTask(to_visp(secondary));
+  const bool has_null_space = servo.getTaskRank() < servo.getTaskJacobian().getCols();
+  if (has_null_space) qdot += servo.secondaryTask(to_visp(secondary));  // throws where nothing is free
   if (error_rate.size() > 0) {
     vpColVector rate(static_cast<unsigned>(error_rate.size()));
     for (unsigned i = 0; i < rate.size(); ++i) rate[i] = error_rate[i];

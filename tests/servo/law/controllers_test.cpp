@@ -1,0 +1,44 @@
+#include "servo/law/controllers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace lineservo::servo {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST(Controllers, EachHasANameOfItsOwnAndMakesALaw) {
+  std::set<std::string_view> names;
+  for (const Controller& controller : controllers()) {
+    EXPECT_TRUE(names.insert(controller.name).second) << controller.name;
+    EXPECT_FALSE(controller.summary.empty());
+    EXPECT_FALSE(controller.junction_method.empty());
+    EXPECT_NE(controller.make(LawOptions{}), nullptr);
+    EXPECT_EQ(&find_controller(controller.name), &controller);
+  }
+}
+
+TEST(Controllers, OursDocksAndThePublishedOneStopsOnTheCode) {
+  EXPECT_TRUE(find_controller("ibvs").servos_on_node);
+  EXPECT_FALSE(find_controller("pid").servos_on_node);
+  EXPECT_EQ(find_controller("pid").junction_method, "fpd");
+}
+
+TEST(Controllers, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
+  try {
+    find_controller("lqr");
+    FAIL() << "no exception";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("'lqr'"), HasSubstr("ibvs"), HasSubstr("pid")));
+  }
+  EXPECT_THROW(find_controller(""), std::invalid_argument);
+  EXPECT_THROW(find_controller("IBVS"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lineservo::servo
