@@ -149,6 +149,43 @@ TEST(Quadrotor, APayloadItDoesNotKnowOfCostsNoClimbRate) {
   EXPECT_GT(q.truth().p_WB.z(), 0.3);
 }
 
+/// A palm-sized quadrotor, 24 times lighter, with slower motors.
+AirframeParameters palm_sized() {
+  using Spin = RotorPlacement::Spin;
+  constexpr double kArm_m = 0.044;
+  AirframeParameters a;
+  a.mass_kg = 0.063;
+  a.inertia_kg_m2 << 5.829e-5, 7.169e-5, 1e-4;
+  a.rotors = {{{kArm_m, -kArm_m, Spin::counter_clockwise},
+               {-kArm_m, kArm_m, Spin::counter_clockwise},
+               {kArm_m, kArm_m, Spin::clockwise},
+               {-kArm_m, -kArm_m, Spin::clockwise}}};
+  a.max_rotor_speed_rad_s = 2000.0;
+  a.thrust_coefficient_N_s2 = 2.0 * a.weight_N() / (4.0 * 2000.0 * 2000.0);
+  a.moment_coefficient_m = 0.01;
+  a.motor_lag_up_s = a.motor_lag_down_s = 0.02;
+  a.rotor_drag_N_per_rad_s_m_s = 2e-6;
+  a.rotor_radius_m = 0.033;
+  a.body_drag_area_m2 = 0.003;
+  a.gear_height_m = 0.03;
+  a.collision_half_extents_m << 0.06, 0.06, 0.02;
+  return a;
+}
+
+TEST(Quadrotor, AnotherVehicleFliesOnGainsFromItsOwnParameters) {
+  Quadrotor q(palm_sized(), {}, SensorParameters::ideal(), nullptr, 1, {});
+  take_off(q);
+  double most = 0.0;
+  fly(q, velocity(0.5, 0, 0, 0.5), 4.0, [&] { most = std::max(most, true_v_H(q).x()); });
+  EXPECT_NEAR(true_v_H(q).x(), 0.5, 0.01);
+  EXPECT_LT(most, 0.53);
+  EXPECT_NEAR(q.truth().w_B.z(), 0.5, 0.01);
+  q.command(LandSetpoint{}, q.now());
+  wait(q, 5.0);
+  EXPECT_EQ(q.mode(), AutopilotMode::landed);
+  EXPECT_FALSE(q.crashed());
+}
+
 TEST(Quadrotor, WithTheNoiseOfTheSensorsItHoversQuietly) {
   SensorParameters p;
   p.flow_bias_m_s = 0.0;  // what the vehicle cannot know it cannot correct
