@@ -21,7 +21,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const LevelView& view) {
   }
   segmentation_ = &segmenter_.segment(bgr);
   profile_of(segmentation_->path, profile_);
-  const StripeFeatures& stripes = stripes_.observe(segmentation_->path.view(), view);
+  const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), view);
 
   FrameFeatures features;
   features.lines = stripes.lines;

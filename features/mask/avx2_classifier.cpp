@@ -278,10 +278,18 @@ LINESERVO_AVX2_INLINE GroupMasks classify_group(__m256i b, __m256i g, __m256i r,
   return {bits(path), bits(_mm256_and_si256(bright_and_saturated(test.marker, value, chroma), marker_hue))};
 }
 
+// The bits of the pixels x … x + 31; the lower half of a word comes first.
+inline void put_group(PackedMask::Word* row, int x, PackedMask::Word bits) {
+  if (x % PackedMask::kWordBits == 0)
+    row[x / PackedMask::kWordBits] = bits;
+  else
+    row[x / PackedMask::kWordBits] |= bits << kGroup;
+}
+
 // Returns the number of marker pixels among the first width.
 LINESERVO_AVX2 int classify_row(const std::int16_t* upper, const std::int16_t* lower, const BilinearTap& tap,
                                 const RedSectorTest& test, int chroma_least, int width,
-                                PackedMask::Word* path) {
+                                PackedMask::Word* path, PackedMask::Word* marker) {
   const RowWeights weights{_mm256_set1_epi16(tap.w0), _mm256_set1_epi16(tap.w1)};
   const TestTables test_tables = tables(test, chroma_least);
   int marker_pixels = 0;
@@ -292,11 +300,8 @@ LINESERVO_AVX2 int classify_row(const std::int16_t* upper, const std::int16_t* l
     const GroupMasks masks = classify_group(b, g, r, test_tables);
     const std::uint32_t inside = width - x >= kGroup ? ~0U : (1U << (width - x)) - 1U;
     marker_pixels += __builtin_popcount(masks.marker & inside);
-    const PackedMask::Word bits = masks.path & inside;
-    if (x % PackedMask::kWordBits == 0)
-      path[x / PackedMask::kWordBits] = bits;
-    else
-      path[x / PackedMask::kWordBits] |= bits << kGroup;
+    put_group(path, x, masks.path & inside);
+    put_group(marker, x, masks.marker & inside);
   }
   return marker_pixels;
 }
@@ -320,14 +325,15 @@ Avx2Classifier::Avx2Classifier(const SegmenterOptions& options, const RedSectorT
   for (auto& row : cache_) row.resize(gathers_.size() / 2 * kGroupWords + 16);
 }
 
-int Avx2Classifier::classify(const cv::Mat& frame, PackedMask& path) {
+int Avx2Classifier::classify(const cv::Mat& frame, PackedMask& path, PackedMask& marker) {
   cached_y_.fill(-1);
   int marker_pixels = 0;
   for (std::size_t y = 0; y < rows_.size(); ++y) {
     const std::int16_t* upper = resized_row(frame, rows_[y].i0);
     const std::int16_t* lower = resized_row(frame, rows_[y].i1);
-    marker_pixels += classify_row(upper, lower, rows_[y], test_, chroma_least_, width_,
-                                  path.row(static_cast<int>(y)).data());
+    marker_pixels +=
+        classify_row(upper, lower, rows_[y], test_, chroma_least_, width_,
+                     path.row(static_cast<int>(y)).data(), marker.row(static_cast<int>(y)).data());
   }
   return marker_pixels;
 }

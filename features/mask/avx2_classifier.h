@@ -19,7 +19,7 @@ class Avx2Classifier : public FrameClassifier {
  public:
   Avx2Classifier(const SegmenterOptions& options, const RedSectorTest& test, cv::Size frame_size);
 
-  int classify(const cv::Mat& frame, PackedMask& path) override;
+  int classify(const cv::Mat& frame, PackedMask& path, PackedMask& marker) override;
 
   /// How one vector of 16 output pixels gathers its inputs: eight pairs of neighbouring pixels, each from
   /// 16 bytes read at one place, or 8 bytes at two places when the two lie too far apart.

@@ -17,7 +17,7 @@ class FrameClassifier {
 
   /// Writes the path mask of a CV_8UC3 BGR frame of the size that the classifier was made for into `path`
   /// (of the resized size). Returns the number of marker pixels.
-  virtual int classify(const cv::Mat& frame, PackedMask& path) = 0;
+  virtual int classify(const cv::Mat& frame, PackedMask& path, PackedMask& marker) = 0;
 };
 
 /// A classifier for frames of the given size, at least 16×16.

@@ -1,6 +1,7 @@
 #include "features/mask/packed_mask.h"
 
 #include <bit>
+#include <cassert>
 #include <stdexcept>
 
 namespace lineservo::features {
@@ -30,6 +31,12 @@ void PackedMask::set(int x, int y, bool foreground) {
   const Word bit = Word{1} << (x % kWordBits);
   Word& word = words_[index(x, y)];
   word = foreground ? word | bit : word & ~bit;
+}
+
+PackedMask& PackedMask::operator|=(const PackedMask& other) {
+  assert(width_ == other.width_ && height_ == other.height_);
+  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+  return *this;
 }
 
 int PackedMask::count() const {

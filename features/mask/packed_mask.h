@@ -45,7 +45,10 @@ class PackedMask {
   Word last_word_pixels() const { return ~Word{0} >> (words_per_row_ * kWordBits - width_); }
 
   /// The same pixels, borrowed.
-  MaskView view() const { return {width_, height_, words_per_row_, words_.data()}; }
+  MaskView view() const { return {width_, height_, static_cast<int>(stride_), row(0).data()}; }
+
+  /// Adds the foreground of a mask of the same size.
+  PackedMask& operator|=(const PackedMask& other);
 
   /// Number of foreground pixels.
   int count() const;

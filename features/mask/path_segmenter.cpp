@@ -26,16 +26,28 @@ PathSegmenter::PathSegmenter(const SegmenterOptions& options, Processor processo
       processor_(processor),
       filter_(options.width_px, options.height_px, processor),
       colored_(options.width_px, options.height_px),
+      marker_(options.width_px, options.height_px),
       smooth_(options.width_px, options.height_px),
-      result_{PackedMask(options.width_px, options.height_px), 0} {}
+      result_{PackedMask(options.width_px, options.height_px),
+              PackedMask(options.width_px, options.height_px), 0} {}
 
 const Segmentation& PathSegmenter::segment(const cv::Mat& bgr) {
   require_frame(bgr);
   prepare_for(bgr.size());
-  result_.marker_pixels = classifier_->classify(bgr, colored_);
-  filter_.median_5x5(colored_, smooth_);
-  filter_.close_5x5(smooth_, result_.path);
+  result_.marker_pixels = classifier_->classify(bgr, colored_, marker_);
+  clean(colored_, result_.path);
+  if (result_.marker_pixels == 0) {
+    result_.paint = result_.path;
+  } else {
+    marker_ |= colored_;
+    clean(marker_, result_.paint);
+  }
   return result_;
+}
+
+void PathSegmenter::clean(const PackedMask& raw, PackedMask& cleaned) {
+  filter_.median_5x5(raw, smooth_);
+  filter_.close_5x5(smooth_, cleaned);
 }
 
 void PathSegmenter::prepare_for(cv::Size frame_size) {

@@ -12,6 +12,7 @@ namespace lineservo::features {
 /// What the segmentation finds in one frame.
 struct Segmentation {
   PackedMask path;        ///< after median and closing
+  PackedMask paint;       ///< the same for path and marker together: the stripes run on under a marker
   int marker_pixels = 0;  ///< in the resized frame
 };
 
@@ -31,13 +32,15 @@ class PathSegmenter {
 
  private:
   void prepare_for(cv::Size frame_size);
+  /// topology §2.1: median, then closing.
+  void clean(const PackedMask& raw, PackedMask& cleaned);
 
   SegmenterOptions options_;
   Processor processor_;
   cv::Size frame_size_;
   std::unique_ptr<FrameClassifier> classifier_;
   MaskFilter filter_;
-  PackedMask colored_, smooth_;
+  PackedMask colored_, marker_, smooth_;
   Segmentation result_;
 };
 

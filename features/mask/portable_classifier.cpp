@@ -19,13 +19,14 @@ PortableClassifier::PortableClassifier(const SegmenterOptions& options, cv::Size
   cache_.fill(Row(columns_.size() * 3));
 }
 
-int PortableClassifier::classify(const cv::Mat& frame, PackedMask& path) {
+int PortableClassifier::classify(const cv::Mat& frame, PackedMask& path, PackedMask& marker) {
   cached_y_.fill(-1);
   int marker_pixels = 0;
   for (std::size_t y = 0; y < rows_.size(); ++y) {
     const Row& upper = resized_row(frame, rows_[y].i0);
     const Row& lower = resized_row(frame, rows_[y].i1);
-    marker_pixels += classify_row(upper, lower, rows_[y], path.row(static_cast<int>(y)));
+    marker_pixels +=
+        classify_row(upper, lower, rows_[y], path.row(static_cast<int>(y)), marker.row(static_cast<int>(y)));
   }
   return marker_pixels;
 }
@@ -52,8 +53,10 @@ void PortableClassifier::resize_columns(const std::uint8_t* pixels, Row& row) co
 }
 
 int PortableClassifier::classify_row(const Row& upper, const Row& lower, BilinearTap tap,
-                                     std::span<PackedMask::Word> path) const {
+                                     std::span<PackedMask::Word> path,
+                                     std::span<PackedMask::Word> marker) const {
   std::fill(path.begin(), path.end(), PackedMask::Word{0});
+  std::fill(marker.begin(), marker.end(), PackedMask::Word{0});
   int marker_pixels = 0;
   for (std::size_t x = 0; x < columns_.size(); ++x) {
     const std::int16_t* u = &upper[3 * x];
@@ -61,6 +64,7 @@ int PortableClassifier::classify_row(const Row& upper, const Row& lower, Bilinea
     const std::uint8_t set =
         classes_.of(blend(u[0], l[0], tap), blend(u[1], l[1], tap), blend(u[2], l[2], tap));
     path[x / 64] |= PackedMask::Word{(set & kPath) != 0} << (x % 64);
+    marker[x / 64] |= PackedMask::Word{(set & kMarker) != 0} << (x % 64);
     marker_pixels += (set & kMarker) != 0;
   }
   return marker_pixels;

@@ -15,15 +15,15 @@ class PortableClassifier : public FrameClassifier {
  public:
   PortableClassifier(const SegmenterOptions& options, cv::Size frame_size);
 
-  int classify(const cv::Mat& frame, PackedMask& path) override;
+  int classify(const cv::Mat& frame, PackedMask& path, PackedMask& marker) override;
 
  private:
   using Row = std::vector<std::int16_t>;  // BGR, interleaved, 7 fractional bits
 
   void resize_columns(const std::uint8_t* pixels, Row& row) const;
   const Row& resized_row(const cv::Mat& frame, int y);
-  int classify_row(const Row& upper, const Row& lower, BilinearTap tap,
-                   std::span<PackedMask::Word> path) const;
+  int classify_row(const Row& upper, const Row& lower, BilinearTap tap, std::span<PackedMask::Word> path,
+                   std::span<PackedMask::Word> marker) const;
 
   ColorClasses classes_;
   std::vector<BilinearTap> columns_, rows_;

@@ -76,8 +76,8 @@ void StockAll(benchmark::State& state) {
 
 void ResizeAndColor(benchmark::State& state, Processor processor, cv::Size size) {
   const auto classifier = features::make_classifier({}, size, processor);
-  features::PackedMask path(400, 400);
-  for (auto _ : state) benchmark::DoNotOptimize(classifier->classify(frame(size), path));
+  features::PackedMask path(400, 400), marker(400, 400);
+  for (auto _ : state) benchmark::DoNotOptimize(classifier->classify(frame(size), path, marker));
 }
 
 template <typename Step>

@@ -77,10 +77,11 @@ TEST(AllColors, RedSectorTestEqualsInRange) {
 TEST(AllColors, BothClassifiersEqualInRange) {
   for (const Processor processor : {Processor::portable, best_processor()}) {
     const auto classifier = make_classifier(unscaled(), {kSide, kSide}, processor);
-    PackedMask path(kSide, kSide);
+    PackedMask path(kSide, kSide), marker(kSide, kSide);
     for_all_colors([&](int b, const cv::Mat& image, const StockSegmentation& stock) {
-      ASSERT_EQ(classifier->classify(image, path), stock.marker_pixels) << "blue " << b;
+      ASSERT_EQ(classifier->classify(image, path, marker), stock.marker_pixels) << "blue " << b;
       ASSERT_EQ(path, PackedMask::from_mat(stock.colored)) << "blue " << b;
+      ASSERT_EQ(marker, PackedMask::from_mat(stock.marker)) << "blue " << b;
     });
   }
 }
