@@ -84,7 +84,7 @@ bool StripeFinder::take_pair(double theta_rad) {
     for (const OffsetPeak& far : falling) {
       const double width = far.rho - near.rho, length = near.length + far.length;
       if (width < options_.min_width || width > options_.max_width) continue;
-      if (length < std::max(options_.min_border_length, options_.min_border_widths * width)) continue;
+      if (length < options_.min_border_length) continue;  // of free points; accept() looks at all of them
       const StripeCourse course{theta_rad, 0.5 * (near.rho + far.rho), width};
       const double painted = fill(course, support(course));
       if (painted >= options_.min_fill) candidates_.push_back({course, length * painted});

@@ -34,8 +34,8 @@ std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanSte
   if (o.features.junction) return floor_point_m(o.features.junction->centre, o.capture_height_m);
   const bool dead_end =
       step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
-  if (dead_end && o.features.line() && o.features.code.line_ends_ahead) {
-    return floor_point_m(o.features.line()->end, o.capture_height_m);
+  if (dead_end && line_to_follow(o) && o.features.code.line_ends_ahead) {
+    return floor_point_m(line_to_follow(o)->end, o.capture_height_m);
   }
   return std::nullopt;
 }
@@ -72,7 +72,7 @@ Command Executive::tick(const Observation& observation, bool on_ground) {
 
 void Executive::observe(const Observation& observation) {
   const FrameFeatures& seen = observation.features;
-  if (const LineFeature* line = seen.line()) {
+  if (const LineFeature* line = line_to_follow(observation)) {
     const LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
     line_seen_ = observation.now;
     line_angle_rad_ = now.theta_rad;

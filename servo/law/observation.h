@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "features/frame_features.h"
+#include "features/geometry/angles.h"
 #include "servo/law/motion.h"
 
 namespace lineservo::servo {
@@ -32,10 +33,14 @@ inline Motion since_capture(const Observation& o) {
   return between(o.odometry_at_capture, o.odometry_now);
 }
 
+/// A line that lies further than this across the way leads elsewhere: a side arm that is alone in view.
+inline constexpr double kFollowable_rad = features::radians(60.0);
+
 /// The line to follow, or none. One whose values are not finite counts as not seen.
 inline const features::LineFeature* line_to_follow(const Observation& o) {
   const features::LineFeature* line = o.features.line();
-  return line && std::isfinite(line->rho) && std::isfinite(line->theta_rad) ? line : nullptr;
+  const bool usable = line && std::isfinite(line->rho) && std::abs(line->theta_rad) <= kFollowable_rad;
+  return usable ? line : nullptr;
 }
 
 }  // namespace lineservo::servo
