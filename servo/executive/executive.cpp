@@ -86,7 +86,9 @@ void Executive::observe(const Observation& observation) {
 
   node_ = phase_ == Phase::follow ? matcher_.update(seen.code) : std::nullopt;
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
-    const auto sighting = node_sighting(observation, current_step());
+    auto sighting = node_sighting(observation, current_step());
+    const bool is_left_behind = !tracks_node(phase_) && !node_ && sighting && sighting->x() < 0.0;
+    if (is_left_behind) sighting.reset();  // still in view, but not the next one
     tracker_.observe(observation, sighting);
     if (sighting && tracks_node(phase_)) dock_law_.observe(observation, *sighting);
   }
@@ -122,6 +124,7 @@ void Executive::pass_node() {
   if (step.manoeuvre == Manoeuvre::go_straight) {
     ++step_;
     travelled_m_ = 0.0;
+    tracker_.reset();  // it must not slow the vehicle for the node behind
   }
 }
 
