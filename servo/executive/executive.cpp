@@ -72,7 +72,7 @@ Command Executive::tick(const Observation& observation, bool on_ground) {
 
 void Executive::observe(const Observation& observation) {
   const FrameFeatures& seen = observation.features;
-  if (const LineFeature* line = seen.line()) {
+  if (const LineFeature* line = line_to_follow(observation)) {
     const LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
     line_seen_ = observation.now;
     line_angle_rad_ = now.theta_rad;
