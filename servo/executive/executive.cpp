@@ -169,7 +169,7 @@ Command Executive::command(const Observation& observation) {
     case Phase::land:
       return LandCommand{};
     case Phase::finished:
-      return options_.phases.land ? Command(LandCommand{}) : Command(stay(observation));
+      return has_landed() ? Command(LandCommand{}) : Command(stay(observation));
   }
   return stay(observation);
 }
@@ -251,6 +251,11 @@ const PlanStep* Executive::current_step() const {
 }
 
 void Executive::report(std::string kind, std::string detail) {
+// A flight that was broken off ends on the ground as well, and has to stay there.
+bool Executive::has_landed() const {
+  return options_.phases.land || abort_reason_ != AbortReason::none;
+}
+
   events_.push_back({std::move(kind), std::move(detail)});
 }
 

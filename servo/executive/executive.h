@@ -69,6 +69,8 @@ class Executive {
 
   double approach_speed(const Observation& observation) const;
   double turn_left(const Observation& observation) const;
+  Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
+  bool has_landed() const;
   void correct_turn(const Observation& observation);
   const PlanStep* current_step() const;
   void report(std::string kind, std::string detail);
