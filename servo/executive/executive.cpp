@@ -106,7 +106,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.step = current_step();
   s.node = node_;
   if (const auto node = tracker_.node_now(observation)) s.node_distance_m = node->norm();
-  s.speed_m_s = observation.v_H_m_s.head<2>().norm();
+  s.speed_m_s = (observation.v_H_m_s.head<2>() + node_drift_H_m_s(observation)).norm();
   s.turn_left_rad = turn_left(observation);
   s.servos_on_node = servos_on_node_;
   s.on_ground = on_ground;
@@ -229,6 +229,11 @@ VelocityCommand Executive::turn(const Observation& observation) {
   return dock_law_.hold(observation, {*node, std::nullopt, rate, options_.phases.height_m});
 }
 
+// What the velocity estimate does not know of: over a node vision tells it.
+Eigen::Vector2d Executive::node_drift_H_m_s(const Observation& observation) const {
+  return tracks_node(phase_) ? dock_law_.drift_H_m_s(observation) : Eigen::Vector2d::Zero();
+}
+
 double Executive::turn_left(const Observation& observation) const {
   return phase_ == Phase::turn ? turn_heading_rad_ - observation.odometry_now.yaw_rad : 0.0;
 }
@@ -246,16 +251,16 @@ void Executive::correct_turn(const Observation& observation) {
   line_angle_rad_ = -turn_left(observation);
 }
 
-const PlanStep* Executive::current_step() const {
-  return step_ < plan_.steps.size() ? &plan_.steps[step_] : nullptr;
-}
-
-void Executive::report(std::string kind, std::string detail) {
 // A flight that was broken off ends on the ground as well, and has to stay there.
 bool Executive::has_landed() const {
   return options_.phases.land || abort_reason_ != AbortReason::none;
 }
 
+const PlanStep* Executive::current_step() const {
+  return step_ < plan_.steps.size() ? &plan_.steps[step_] : nullptr;
+}
+
+void Executive::report(std::string kind, std::string detail) {
   events_.push_back({std::move(kind), std::move(detail)});
 }
 
