@@ -50,6 +50,8 @@ struct Mission {
   double time_limit_s = 300.0;
   /// May spoil what perception says at a time and place.
   std::function<void(double t_s, const Pose& pose, features::FrameFeatures&)> spoil;
+  /// May add noise to the velocity estimate.
+  std::function<Eigen::Vector2d()> velocity_noise_m_s;
 };
 
 /// One control tick, before the command was flown.
@@ -93,7 +95,8 @@ inline Logbook fly(const Mission& mission) {
   CodeWindow window;
   Logbook log;
   while (executive.phase() != Phase::finished && seconds(vehicle.now()) < mission.time_limit_s) {
-    const Observation o = vehicle.observe(frame_of(mission, vehicle, window), mission.delay_steps);
+    Observation o = vehicle.observe(frame_of(mission, vehicle, window), mission.delay_steps);
+    if (mission.velocity_noise_m_s) o.v_H_m_s.head<2>() += mission.velocity_noise_m_s();
     const Command command = executive.tick(o, vehicle.on_ground());
     log.ticks.push_back(
         {seconds(vehicle.now()), executive.phase(), executive.step(), vehicle.pose(), command});

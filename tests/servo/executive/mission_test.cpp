@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "servo/executive/executive.h"
 #include "tests/servo/test_mission.h"
@@ -119,6 +120,34 @@ TEST(Mission, ADriftIsLearntOnTheWay) {
   Mission mission = mission_to(floor, "a11");
   mission.drift_W_m_s = {0.02, -0.025};
   expect_arrival(fly(mission), floor.at("a11"), 0.01);
+}
+
+/// Noise of a standard deviation, from a fixed seed: the sum of twelve uniform numbers is nearly normal.
+std::function<Eigen::Vector2d()> noise_m_s(double sigma_m_s, unsigned seed) {
+  auto normal = [sigma_m_s, generator = std::mt19937(seed)]() mutable {
+    double sum = -6.0;
+    for (int k = 0; k < 12; ++k) sum += static_cast<double>(generator()) / 4294967296.0;
+    return sigma_m_s * sum;
+  };
+  return [normal]() mutable {
+    const double forward_m_s = normal();
+    return Eigen::Vector2d(forward_m_s, normal());
+  };
+}
+
+TEST(Mission, ANoisyVelocityEstimateDoesNotHoldUpTheDocking) {
+  // SPEC §8: σ = 0.03 m/s, as large as the speed below which the vehicle counts as at rest.
+  const TestFloor floor = testing::warehouse_floor();
+  Mission quiet = mission_to(floor, "a11");
+  const double quiet_s = fly(quiet).ticks.back().t_s;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Mission mission = mission_to(floor, "a11");
+    mission.velocity_noise_m_s = noise_m_s(0.03, seed);
+    const Logbook log = fly(mission);
+    expect_arrival(log, floor.at("a11"), 0.005);
+    EXPECT_LT(log.ticks.back().t_s, quiet_s + 6.0);
+  }
 }
 
 TEST(Mission, NodesThatMovedAfterCompilingDoNotMatter) {
