@@ -93,6 +93,17 @@ void Executive::observe(const Observation& observation) {
     if (sighting && tracks_node(phase_)) dock_law_.observe(observation, *sighting);
   }
   if (phase_ == Phase::turn) correct_turn(observation);
+  smooth_velocity(observation);
+}
+
+// A first-order low pass, v ← p·v + (1 − p)·(v̂ + d̂) with p = exp(−dt/τ): the noise of the estimate is as
+// large as the speed below which the vehicle counts as at rest (SPEC §8).
+void Executive::smooth_velocity(const Observation& observation) {
+  const Eigen::Vector2d v_H_m_s = observation.v_H_m_s.head<2>() + node_drift_H_m_s(observation);
+  if (!v_H_m_s.allFinite()) return;
+  const double kept =
+      last_tick_ ? std::exp(-seconds(observation.now - *last_tick_) / options_.speed_time_constant_s) : 0.0;
+  velocity_H_m_s_ = kept * velocity_H_m_s_ + (1.0 - kept) * v_H_m_s;
 }
 
 Situation Executive::assess(const Observation& observation, bool on_ground) {
@@ -106,7 +117,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.step = current_step();
   s.node = node_;
   if (const auto node = tracker_.node_now(observation)) s.node_distance_m = node->norm();
-  s.speed_m_s = (observation.v_H_m_s.head<2>() + node_drift_H_m_s(observation)).norm();
+  s.speed_m_s = velocity_H_m_s_.norm();
   s.turn_left_rad = turn_left(observation);
   s.servos_on_node = servos_on_node_;
   s.on_ground = on_ground;
