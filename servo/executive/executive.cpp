@@ -86,11 +86,24 @@ void Executive::observe(const Observation& observation) {
 
   node_ = phase_ == Phase::follow ? matcher_.update(seen.code) : std::nullopt;
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
-    const auto sighting = node_sighting(observation, current_step());
+    auto sighting = node_sighting(observation, current_step());
+    const bool is_left_behind = !tracks_node(phase_) && !node_ && sighting && sighting->x() < 0.0;
+    if (is_left_behind) sighting.reset();  // still in view, but not the next one
     tracker_.observe(observation, sighting);
     if (sighting && tracks_node(phase_)) dock_law_.observe(observation, *sighting);
   }
   if (phase_ == Phase::turn) correct_turn(observation);
+  smooth_velocity(observation);
+}
+
+// A first-order low pass, v ← p·v + (1 − p)·(v̂ + d̂) with p = exp(−dt/τ): the noise of the estimate is as
+// large as the speed below which the vehicle counts as at rest (SPEC §8).
+void Executive::smooth_velocity(const Observation& observation) {
+  const Eigen::Vector2d v_H_m_s = observation.v_H_m_s.head<2>() + node_drift_H_m_s(observation);
+  if (!v_H_m_s.allFinite()) return;
+  const double kept =
+      last_tick_ ? std::exp(-seconds(observation.now - *last_tick_) / options_.speed_time_constant_s) : 0.0;
+  velocity_H_m_s_ = kept * velocity_H_m_s_ + (1.0 - kept) * v_H_m_s;
 }
 
 Situation Executive::assess(const Observation& observation, bool on_ground) {
@@ -104,7 +117,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.step = current_step();
   s.node = node_;
   if (const auto node = tracker_.node_now(observation)) s.node_distance_m = node->norm();
-  s.speed_m_s = observation.v_H_m_s.head<2>().norm();
+  s.speed_m_s = velocity_H_m_s_.norm();
   s.turn_left_rad = turn_left(observation);
   s.servos_on_node = servos_on_node_;
   s.on_ground = on_ground;
@@ -123,6 +136,7 @@ void Executive::pass_node() {
   if (step.manoeuvre == Manoeuvre::go_straight) {
     ++step_;
     travelled_m_ = 0.0;
+    tracker_.reset();  // it must not slow the vehicle for the node behind
   }
 }
 
@@ -167,7 +181,7 @@ Command Executive::command(const Observation& observation) {
     case Phase::land:
       return LandCommand{};
     case Phase::finished:
-      return options_.phases.land ? Command(LandCommand{}) : Command(stay(observation));
+      return has_landed() ? Command(LandCommand{}) : Command(stay(observation));
   }
   return stay(observation);
 }
@@ -227,6 +241,11 @@ VelocityCommand Executive::turn(const Observation& observation) {
   return dock_law_.hold(observation, {*node, std::nullopt, rate, options_.phases.height_m});
 }
 
+// What the velocity estimate does not know of: over a node vision tells it.
+Eigen::Vector2d Executive::node_drift_H_m_s(const Observation& observation) const {
+  return tracks_node(phase_) ? dock_law_.drift_H_m_s(observation) : Eigen::Vector2d::Zero();
+}
+
 double Executive::turn_left(const Observation& observation) const {
   return phase_ == Phase::turn ? turn_heading_rad_ - observation.odometry_now.yaw_rad : 0.0;
 }
@@ -242,6 +261,11 @@ void Executive::correct_turn(const Observation& observation) {
   turn_heading_rad_ =
       observation.odometry_at_capture.yaw_rad - std::remainder(line->theta_rad, features::kPi);
   line_angle_rad_ = -turn_left(observation);
+}
+
+// A flight that was broken off ends on the ground as well, and has to stay there.
+bool Executive::has_landed() const {
+  return options_.phases.land || abort_reason_ != AbortReason::none;
 }
 
 const PlanStep* Executive::current_step() const {

@@ -27,6 +27,7 @@ struct ExecutiveOptions {
   double climb_rate_m_s = 0.4;
   double approach_deceleration_m_s2 = 0.5;  ///< before a node that is to be docked on
   double approach_speed_m_s = 0.05;         ///< never slower than this before its code is confirmed
+  double speed_time_constant_s = 0.5;       ///< over which the speed that counts as rest is averaged
 };
 
 /// Something worth a line in events.csv.
@@ -56,6 +57,7 @@ class Executive {
 
  private:
   void observe(const Observation& observation);
+  void smooth_velocity(const Observation& observation);
   Situation assess(const Observation& observation, bool on_ground);
   void enter(Phase phase, const Observation& observation);
   void pass_node();
@@ -71,6 +73,8 @@ class Executive {
 
   double approach_speed(const Observation& observation) const;
   double turn_left(const Observation& observation) const;
+  Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
+  bool has_landed() const;
   void correct_turn(const Observation& observation);
   const PlanStep* current_step() const;
   void report(std::string kind, std::string detail);
@@ -95,7 +99,8 @@ class Executive {
   std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
   double travelled_m_ = 0.0;
   std::optional<Motion> last_odometry_;
-  double turn_heading_rad_ = 0.0;  ///< odometry yaw at which the turn ends
+  Eigen::Vector2d velocity_H_m_s_ = Eigen::Vector2d::Zero();  ///< averaged, drift included over a node
+  double turn_heading_rad_ = 0.0;                             ///< odometry yaw at which the turn ends
   VelocityCommand last_command_;
   std::optional<Time> last_tick_;
   std::vector<ExecutiveEvent> events_;

@@ -11,7 +11,7 @@ Eigen::Vector2d to_origin(const Motion& pose, const Eigen::Vector2d& p_H) {
 
 void NodeTracker::observe(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m) {
   if (node_O_ && seconds(observation.captured - seen_) > options_.memory_s) node_O_.reset();
-  if (!sighting_m) return;
+  if (!sighting_m || !sighting_m->allFinite()) return;
   const Eigen::Vector2d sighting_O = to_origin(observation.odometry_at_capture, *sighting_m);
   if (node_O_ && (sighting_O - *node_O_).norm() > options_.gate_m) return;
   node_O_ = node_O_ ? Eigen::Vector2d(*node_O_ + options_.weight * (sighting_O - *node_O_)) : sighting_O;

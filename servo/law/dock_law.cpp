@@ -29,13 +29,16 @@ void DockLaw::observe(const Observation& observation, const Eigen::Vector2d& poi
 }
 
 VelocityCommand DockLaw::hold(const Observation& observation, const DockGoal& goal) {
-  const Eigen::Vector2d drift_H = Eigen::Rotation2Dd(-observation.odometry_now.yaw_rad) *
-                                  Eigen::Vector2d(drift_x_.drift_m_s(), drift_y_.drift_m_s());
   PointTask& task = goal.theta_rad ? on_line_ : turning_;
   const TaskSolution solution =
       task.solve(level_point(goal.point_H_m, observation.height_m), goal.theta_rad.value_or(0.0),
-                 observation.height_m, goal.height_m, goal.yaw_rate_rad_s, drift_H);
+                 observation.height_m, goal.height_m, goal.yaw_rate_rad_s, drift_H_m_s(observation));
   return solution.valid ? solution.command : VelocityCommand{};
+}
+
+Eigen::Vector2d DockLaw::drift_H_m_s(const Observation& observation) const {
+  return Eigen::Rotation2Dd(-observation.odometry_now.yaw_rad) *
+         Eigen::Vector2d(drift_x_.drift_m_s(), drift_y_.drift_m_s());
 }
 
 }  // namespace lineservo::servo

@@ -34,6 +34,8 @@ class DockLaw {
   /// from.
   void observe(const Observation& observation, const Eigen::Vector2d& point_at_capture_m);
   VelocityCommand hold(const Observation& observation, const DockGoal& goal);
+  /// The motion that the odometry does not know of (forward, left), as learnt so far.
+  Eigen::Vector2d drift_H_m_s(const Observation& observation) const;
 
  private:
   DockOptions options_;

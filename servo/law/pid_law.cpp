@@ -16,7 +16,8 @@ void PidLaw::reset() {
 Command PidLaw::follow(const Observation& observation, const FollowGoal& goal) {
   VelocityCommand command{goal.speed_m_s, 0.0, height_rate(observation.height_m, goal.height_m), 0.0};
   const auto& centroid = observation.features.centroid_px;
-  if (centroid && observation.features.code.smoothed == JunctionCode::straight) {
+  if (centroid && std::isfinite(centroid->x) &&
+      observation.features.code.smoothed == JunctionCode::straight) {
     // e_n = (c_x − c_0) / c_0 (eq. 3); c_x grows to the right of the image, the vehicle's left is positive.
     command.left_m_s = -output((centroid->x - options_.half_width_px) / options_.half_width_px);
   }

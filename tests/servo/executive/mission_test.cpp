@@ -1,0 +1,346 @@
+// Whole missions of the executive over a floor that is seen exactly, on a kinematic vehicle.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "servo/executive/executive.h"
+#include "tests/servo/test_mission.h"
+
+namespace lineservo::servo {
+namespace {
+
+using features::FrameFeatures;
+using features::kPi;
+using features::radians;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::Logbook;
+using testing::Mission;
+using testing::MissionTick;
+using testing::Pose;
+using testing::TestFloor;
+using testing::TestVehicle;
+
+Plan plan_to(const TestFloor& floor, const std::string& target) {
+  const Topology topology = floor.topology();
+  return compile(topology, find_target(topology, target), target);
+}
+
+/// A mission over a floor, from a start that is as far off as SPEC §3 allows.
+Mission mission_to(const TestFloor& floor, const std::string& target, double speed_m_s = 0.3) {
+  const Plan plan = plan_to(floor, target);
+  Pose start{floor.at(floor.names().front()), plan.start_heading_rad + radians(5.0), 0.0};
+  start.p_W += Eigen::Vector2d(-0.07, 0.07);
+  Mission mission(floor, plan, start);
+  mission.options.speed_m_s = speed_m_s;
+  return mission;
+}
+
+double distance_m(const Logbook& log, const Eigen::Vector2d& p_W) {
+  return (log.pose.p_W - p_W).norm();
+}
+
+/// What holds in every flight: finite commands that change no faster than the limits allow.
+void expect_smooth(const Logbook& log, const CommandLimits& limits = {}) {
+  constexpr double kSlack = 1e-9;
+  for (std::size_t k = 1; k < log.ticks.size(); ++k) {
+    EXPECT_TRUE(is_finite(log.ticks[k].command));
+    const auto* from = std::get_if<VelocityCommand>(&log.ticks[k - 1].command);
+    const auto* to = std::get_if<VelocityCommand>(&log.ticks[k].command);
+    if (!from || !to) continue;
+    const double dt_s = log.ticks[k].t_s - log.ticks[k - 1].t_s;
+    const double horizontal = std::hypot(to->forward_m_s - from->forward_m_s, to->left_m_s - from->left_m_s);
+    ASSERT_LE(horizontal, limits.acceleration_m_s2 * dt_s + kSlack) << "at " << log.ticks[k].t_s << " s";
+    ASSERT_LE(std::abs(to->up_m_s - from->up_m_s), limits.acceleration_m_s2 * dt_s + kSlack);
+    ASSERT_LE(std::abs(to->yaw_rate_rad_s - from->yaw_rate_rad_s),
+              limits.yaw_acceleration_rad_s2 * dt_s + kSlack);
+    ASSERT_LE(std::hypot(to->forward_m_s, to->left_m_s), limits.horizontal_m_s + kSlack);
+  }
+}
+
+void expect_arrival(const Logbook& log, const Eigen::Vector2d& node_W, double bound_m) {
+  EXPECT_EQ(log.end, Phase::finished);
+  EXPECT_EQ(log.reason, AbortReason::none);
+  EXPECT_LT(distance_m(log, node_W), bound_m);
+  expect_smooth(log);
+}
+
+TEST(Mission, A13PassesThePhasesInOrder) {
+  const TestFloor floor = testing::warehouse_floor();
+  const Logbook log = fly(mission_to(floor, "a13"));
+  expect_arrival(log, floor.at("a13"), 0.005);
+  EXPECT_NEAR(std::remainder(log.pose.heading_rad - kPi / 2, 2 * kPi), 0.0, radians(0.5));
+  EXPECT_THAT(log.phases,
+              ElementsAre("align", "follow", "dock", "turn", "follow", "dock", "hover", "finished"));
+  EXPECT_THAT(log.nodes, ElementsAre("J9: turn at a10", "J3: go straight at a11", "J3: go straight at a12",
+                                     "J3: hover at a13"));
+}
+
+TEST(Mission, EveryKindOfTargetIsReached) {
+  const TestFloor grid = testing::warehouse_floor(), square = testing::square_floor();
+  struct Case {
+    const TestFloor& floor;
+    const char* target;
+  };
+  for (const Case& c : {Case{grid, "a03"}, Case{grid, "a53"}, Case{grid, "a14"}, Case{grid, "a54"},
+                        Case{grid, "a50"}, Case{square, "b02"}, Case{square, "b03"}}) {
+    SCOPED_TRACE(c.target);
+    expect_arrival(fly(mission_to(c.floor, c.target)), c.floor.at(c.target), 0.005);
+  }
+}
+
+TEST(Mission, FramesDelaysAndSpeedsDoNotMatter) {
+  const TestFloor floor = testing::warehouse_floor();
+  for (const int frame_steps : {TestVehicle::kStepsAt10Hz, TestVehicle::kStepsAt30Hz}) {
+    for (const int delay_steps : {0, TestVehicle::kStepsIn50Ms}) {
+      for (const double speed_m_s : {0.1, 0.5}) {
+        SCOPED_TRACE(::testing::Message() << frame_steps << " " << delay_steps << " " << speed_m_s);
+        Mission mission = mission_to(floor, "a11", speed_m_s);
+        mission.frame_steps = frame_steps;
+        mission.delay_steps = delay_steps;
+        expect_arrival(fly(mission), floor.at("a11"), 0.005);
+      }
+    }
+  }
+}
+
+TEST(Mission, AtOneMetreASecondNodesAreStillMet) {
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission = mission_to(floor, "a13", 1.0);
+  mission.frame_steps = TestVehicle::kStepsAt30Hz;
+  expect_arrival(fly(mission), floor.at("a13"), 0.005);
+}
+
+TEST(Mission, ADriftIsLearntOnTheWay) {
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission = mission_to(floor, "a11");
+  mission.drift_W_m_s = {0.02, -0.025};
+  expect_arrival(fly(mission), floor.at("a11"), 0.01);
+}
+
+/// Noise of a standard deviation, from a fixed seed: the sum of twelve uniform numbers is nearly normal.
+std::function<Eigen::Vector2d()> noise_m_s(double sigma_m_s, unsigned seed) {
+  auto normal = [sigma_m_s, generator = std::mt19937(seed)]() mutable {
+    double sum = -6.0;
+    for (int k = 0; k < 12; ++k) sum += static_cast<double>(generator()) / 4294967296.0;
+    return sigma_m_s * sum;
+  };
+  return [normal]() mutable {
+    const double forward_m_s = normal();
+    return Eigen::Vector2d(forward_m_s, normal());
+  };
+}
+
+TEST(Mission, ANoisyVelocityEstimateDoesNotHoldUpTheDocking) {
+  // SPEC §8: σ = 0.03 m/s, as large as the speed below which the vehicle counts as at rest.
+  const TestFloor floor = testing::warehouse_floor();
+  Mission quiet = mission_to(floor, "a11");
+  const double quiet_s = fly(quiet).ticks.back().t_s;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Mission mission = mission_to(floor, "a11");
+    mission.velocity_noise_m_s = noise_m_s(0.03, seed);
+    const Logbook log = fly(mission);
+    expect_arrival(log, floor.at("a11"), 0.005);
+    EXPECT_LT(log.ticks.back().t_s, quiet_s + 6.0);
+  }
+}
+
+TEST(Mission, NodesThatMovedAfterCompilingDoNotMatter) {
+  TestFloor moved = testing::warehouse_floor();
+  int k = 0;
+  for (const std::string& node : moved.names()) {
+    const double bearing_rad = 2.4 * k++;  // all directions, no order: 10 % of the shorter edge
+    moved.move(node, moved.at(node) + 0.226 * Eigen::Vector2d(std::cos(bearing_rad), std::sin(bearing_rad)));
+  }
+  for (const char* target : {"a13", "a53", "a03"}) {
+    SCOPED_TRACE(target);
+    Mission mission = mission_to(testing::warehouse_floor(), target);
+    mission.floor = moved;
+    mission.start.p_W = moved.at("a00");
+    expect_arrival(fly(mission), moved.at(target), 0.02);
+  }
+}
+
+/// The slowest forward speed on the way from leaving a node's view to seeing the next one.
+double slowest_between_nodes_m_s(const Logbook& log, const TestFloor& floor) {
+  double slowest = std::numeric_limits<double>::infinity(), follow_began_s = 0.0;
+  for (std::size_t k = 1; k < log.ticks.size(); ++k) {
+    const MissionTick& tick = log.ticks[k];
+    if (tick.phase != log.ticks[k - 1].phase) follow_began_s = tick.t_s;
+    if (tick.phase != Phase::follow || tick.t_s - follow_began_s < 1.5) continue;
+    const bool is_near_target = (tick.pose.p_W - floor.at("a13")).norm() < 0.8;
+    const bool is_near_turn = (tick.pose.p_W - floor.at("a10")).norm() < 0.8;
+    if (is_near_target || is_near_turn) continue;
+    slowest = std::min(slowest, std::get<VelocityCommand>(tick.command).forward_m_s);
+  }
+  return slowest;
+}
+
+TEST(Mission, ANodeToGoStraightOverDoesNotSlowTheVehicle) {
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission = mission_to(floor, "a13", 0.5);
+  mission.frame_steps = TestVehicle::kStepsAt30Hz;
+  const Logbook log = fly(mission);
+  expect_arrival(log, floor.at("a13"), 0.005);
+  EXPECT_GT(slowest_between_nodes_m_s(log, floor), 0.45);
+}
+
+TEST(Mission, PidStopsWhereTheCodeIsConfirmed) {
+  // The cross opens 0.157 m before the node (SPEC §5); the window and the confirmation take some of it back.
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission = mission_to(floor, "a03", 0.1);
+  mission.controller = "pid";
+  mission.start = {floor.at("a00"), kPi / 2, 0.0};
+  const Logbook log = fly(mission);
+  EXPECT_EQ(log.end, Phase::finished);
+  EXPECT_THAT(log.phases, ElementsAre("align", "follow", "hover", "finished"));
+  EXPECT_LT(distance_m(log, floor.at("a03")), 0.157);
+  EXPECT_GT(distance_m(log, floor.at("a03")), 0.05);
+  EXPECT_LT(log.pose.p_W.y(), floor.at("a03").y());
+}
+
+TEST(Mission, PidTurnsOnTheCodeAndArrives) {
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission = mission_to(floor, "a13", 0.1);
+  mission.controller = "pid";
+  mission.start = {floor.at("a00"), 0.0, 0.0};
+  const Logbook log = fly(mission);
+  EXPECT_EQ(log.end, Phase::finished);
+  EXPECT_THAT(log.phases, ElementsAre("align", "follow", "turn", "follow", "hover", "finished"));
+  EXPECT_LT(distance_m(log, floor.at("a13")), 0.25);
+}
+
+TEST(Mission, AtTheEndItLandsIfAskedTo) {
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission = mission_to(floor, "a01");
+  mission.options.phases.land = true;
+  const Logbook log = fly(mission);
+  EXPECT_THAT(log.phases, ElementsAre("align", "follow", "dock", "hover", "land", "finished"));
+  EXPECT_TRUE(std::holds_alternative<LandCommand>(log.ticks.back().command));
+  EXPECT_EQ(log.pose.height_m, 0.0);
+  EXPECT_LT(distance_m(log, floor.at("a01")), 0.005);
+}
+
+/// A mission that has to be broken off: hover, then land.
+void expect_aborted(const Logbook& log, AbortReason reason) {
+  EXPECT_EQ(log.reason, reason) << name(log.reason);
+  EXPECT_EQ(log.end, Phase::finished);
+  EXPECT_EQ(log.pose.height_m, 0.0);
+  ASSERT_GE(log.phases.size(), 3u);
+  EXPECT_THAT(log.phases, ::testing::Contains("aborted: " + std::string(name(reason))));
+  EXPECT_EQ(log.phases[log.phases.size() - 2], "land");
+  expect_smooth(log);
+}
+
+TEST(Mission, AMissedNodeAborts) {
+  const TestFloor planned = testing::warehouse_floor();
+  Mission mission = mission_to(planned, "a13");
+  mission.floor.erase("a10", "a11");  // where the turn should be there is plain line
+  const Logbook log = fly(mission);
+  expect_aborted(log, AbortReason::node_overdue);
+  EXPECT_GT(log.pose.p_W.x(),
+            planned.at("a10").x() + 0.2 * 3.6);  // not before the length's tolerance is used up
+  EXPECT_LT(log.pose.p_W.x(), planned.at("a20").x() - 1.0);
+}
+
+TEST(Mission, AnUnexpectedCodeAborts) {
+  Mission mission = mission_to(testing::warehouse_floor(), "a53");
+  mission.floor.add("extra", {0.6 + 7.2, -1.4});
+  mission.floor.join("a20", "extra");  // a cross where the plan has a T
+  const Logbook log = fly(mission);
+  expect_aborted(log, AbortReason::node_unexpected);
+  EXPECT_THAT(log.nodes, ElementsAre("J9: go straight at a10"));
+  EXPECT_NEAR(log.pose.p_W.x(), 7.8, 0.4);
+}
+
+TEST(Mission, ANodeTooEarlyAborts) {
+  Mission mission = mission_to(testing::warehouse_floor(), "a13");
+  mission.floor.add("middle", {1.8, 0.6});
+  mission.floor.add("up", {1.8, 2.0});
+  mission.floor.erase("a00", "a10");
+  mission.floor.join("a00", "middle");
+  mission.floor.join("middle", "a10");
+  mission.floor.join("middle", "up");  // the right code, at a third of the way
+  const Logbook log = fly(mission);
+  expect_aborted(log, AbortReason::node_unexpected);
+  EXPECT_TRUE(log.nodes.empty());
+  EXPECT_NEAR(log.pose.p_W.x(), 1.8, 0.4);
+}
+
+TEST(Mission, ALineThatIsGoneAborts) {
+  Mission mission = mission_to(testing::warehouse_floor(), "a13");
+  mission.spoil = [](double, const Pose& pose, FrameFeatures& frame) {
+    if (pose.p_W.x() > 2.0) frame = {};
+  };
+  const Logbook log = fly(mission);
+  expect_aborted(log, AbortReason::line_lost);
+  EXPECT_LT(log.pose.p_W.x(), 2.0 + 0.3 * 1.1);  // coasts for half a second at 0.3 m/s, no further
+}
+
+TEST(Mission, ALineLostForAMomentIsNoAbort) {
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission = mission_to(floor, "a13");
+  mission.spoil = [](double, const Pose& pose, FrameFeatures& frame) {
+    if (pose.p_W.x() > 2.0 && pose.p_W.x() < 2.09) frame = {};  // 0.3 s
+  };
+  expect_arrival(fly(mission), floor.at("a13"), 0.005);
+}
+
+TEST(Mission, WithoutALineItNeverLeavesTheStart) {
+  Mission mission = mission_to(testing::warehouse_floor(), "a13");
+  mission.spoil = [](double, const Pose&, FrameFeatures& frame) { frame = {}; };
+  const Logbook log = fly(mission);
+  expect_aborted(log, AbortReason::line_lost);
+  EXPECT_LT(distance_m(log, mission.start.p_W), 1e-9);
+}
+
+TEST(Mission, ANodeThatIsLostWhileDockingAborts) {
+  Mission mission = mission_to(testing::warehouse_floor(), "a13");
+  mission.spoil = [](double, const Pose& pose, FrameFeatures& frame) {
+    if (pose.p_W.x() > 4.12) frame = {};
+  };
+  const Logbook log = fly(mission);
+  EXPECT_TRUE(log.reason == AbortReason::node_lost || log.reason == AbortReason::line_lost);
+  EXPECT_EQ(log.pose.height_m, 0.0);
+}
+
+TEST(Mission, WorkWithoutFiniteFeaturesIsNeverPassedOn) {
+  // Frames full of NaN now and then, in every phase: all commands are finite, and the mission arrives.
+  const TestFloor floor = testing::warehouse_floor();
+  for (const char* controller : {"ibvs", "pid"}) {
+    SCOPED_TRACE(controller);
+    Mission mission = mission_to(floor, "a13");
+    mission.controller = controller;
+    if (mission.controller == "pid")
+      mission.start = {floor.at("a00"), 0.0, 0.0}, mission.options.speed_m_s = 0.1;
+    int frames = 0;
+    mission.spoil = [&](double, const Pose&, FrameFeatures& frame) {
+      constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+      if (++frames % 7 != 0) return;
+      for (features::LineFeature& line : frame.lines) line.rho = line.theta_rad = kNaN;
+      if (frame.junction) frame.junction->centre = {kNaN, kNaN};
+      if (frame.centroid_px) frame.centroid_px->x = kNaN;
+    };
+    const Logbook log = fly(mission);
+    for (const MissionTick& tick : log.ticks) ASSERT_TRUE(is_finite(tick.command)) << tick.t_s;
+    EXPECT_EQ(log.end, Phase::finished);
+    EXPECT_EQ(log.reason, AbortReason::none) << name(log.reason);
+    EXPECT_LT(distance_m(log, floor.at("a13")), 0.25);
+  }
+}
+
+TEST(Mission, TheSameMissionTwiceIsTheSameBitForBit) {
+  const TestFloor floor = testing::warehouse_floor();
+  const Logbook first = fly(mission_to(floor, "a11")), second = fly(mission_to(floor, "a11"));
+  ASSERT_EQ(first.ticks.size(), second.ticks.size());
+  EXPECT_EQ(first.pose.p_W, second.pose.p_W);
+  EXPECT_EQ(first.pose.heading_rad, second.pose.heading_rad);
+}
+
+}  // namespace
+}  // namespace lineservo::servo

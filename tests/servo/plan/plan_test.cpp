@@ -1,0 +1,244 @@
+#include "servo/plan/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "tests/servo/test_floor.h"
+
+namespace lineservo::servo {
+namespace {
+
+using features::Arms;
+using features::degrees;
+using features::JunctionCode;
+using features::kPi;
+using features::radians;
+using features::wrap_angle;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::TestFloor;
+
+Plan plan_to(const TestFloor& floor, const std::string& target) {
+  const Topology topology = floor.topology();
+  return compile(topology, find_target(topology, target), target);
+}
+
+/// "J5 J9 turn 90 | J7 J3 go straight | …": preview, code ("!" when the line ends there) and manoeuvre.
+std::string told(const Plan& plan) {
+  std::string text;
+  for (const PlanStep& step : plan.steps) {
+    text += (text.empty() ? "" : " | ") + std::string(features::name(step.expected.preview)) + " " +
+            std::string(features::name(step.expected.code)) + (step.expected.line_ends ? "! " : " ") +
+            std::string(name(step.manoeuvre));
+    if (step.manoeuvre == Manoeuvre::turn) text += " " + std::to_string(std::lround(degrees(step.turn_rad)));
+  }
+  return text;
+}
+
+/// The message of a refusal, or nothing.
+std::string refusal(const TestFloor& floor, const std::string& target) {
+  try {
+    plan_to(floor, target);
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+TEST(Plan, A13TurnsAtTheFirstTeePassesTwoCrossesHoversOnTheThird) {
+  const Plan plan = plan_to(testing::warehouse_floor(), "a13");
+  EXPECT_NEAR(plan.start_heading_rad, 0.0, 1e-12);
+  EXPECT_EQ(told(plan), "J5 J9 turn 90 | J7 J3 go straight | J7 J3 go straight | J7 J3 hover");
+  EXPECT_EQ(plan.instruction, "a13");
+  EXPECT_EQ(plan.target, "a13");
+}
+
+TEST(Plan, A53PassesFourTeesTurnsInTheCornerHoversOnTheThirdTee) {
+  const Plan plan = plan_to(testing::warehouse_floor(), "a53");
+  EXPECT_NEAR(plan.start_heading_rad, 0.0, 1e-12);
+  EXPECT_EQ(
+      told(plan),
+      "J5 J9 go straight | J5 J9 go straight | J5 J9 go straight | J5 J9 go straight | J5 J5! turn 90 | "
+      "J5 J9 go straight | J5 J9 go straight | J5 J9 hover");
+}
+
+TEST(Plan, A03GoesStraightUp) {
+  const Plan plan = plan_to(testing::warehouse_floor(), "a03");
+  EXPECT_NEAR(plan.start_heading_rad, kPi / 2, 1e-12);
+  EXPECT_EQ(told(plan), "J4 J8 go straight | J4 J8 go straight | J4 J8 hover");
+}
+
+TEST(Plan, TheTopRowEndsInATeeAhead) {
+  EXPECT_EQ(told(plan_to(testing::warehouse_floor(), "a14")),
+            "J5 J9 turn 90 | J7 J3 go straight | J7 J3 go straight | J7 J3 go straight | J7 J7! hover");
+}
+
+TEST(Plan, ZoneBReadsLeftGoingRoundAndRightComingBack) {
+  const TestFloor floor = testing::square_floor();
+  EXPECT_EQ(told(plan_to(floor, "b01")), "J5 J5! turn 90 | J5 J9 hover");
+  EXPECT_EQ(told(plan_to(floor, "b02")), "J5 J5! turn 90 | J5 J9 go straight | J5 J5! turn 90 | J5 J9 hover");
+  EXPECT_EQ(told(plan_to(floor, "b03")), "J4 J4! turn -90 | J4 J8 hover");
+  EXPECT_NEAR(std::abs(plan_to(floor, "b03").start_heading_rad), kPi, 1e-12);
+}
+
+TEST(Plan, EdgeLengthsAreThoseOfTheWay) {
+  const Plan plan = plan_to(testing::warehouse_floor(), "a13");
+  EXPECT_NEAR(plan.steps[0].edge_length_m, 3.6, 1e-12);
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_NEAR(plan.steps[k].edge_length_m, 6.8 / 3.0, 1e-12);
+}
+
+TEST(Plan, ANodeThatLooksLikePlainLineIsDrivenOver) {
+  TestFloor floor("seam");
+  floor.add("start", {0.0, 0.0});
+  floor.add("seam", {2.0, 0.0});
+  floor.add("end", {5.0, 0.0});
+  floor.join("start", "seam");
+  floor.join("seam", "end");
+  const Plan plan = plan_to(floor, "node:end");
+  EXPECT_EQ(told(plan), "J2 J2! hover");  // the dead end is told by the line's end
+  EXPECT_NEAR(plan.steps[0].edge_length_m, 5.0, 1e-12);
+}
+
+/// Walks over the floor by the plan alone: no coordinates, no names, only arms, codes and manoeuvres.
+class Walker {
+ public:
+  Walker(const Topology& topology, const Plan& plan) : topology_(topology), node_(topology.start) {
+    take(plan.start_heading_rad);
+    for (const PlanStep& step : plan.steps) {
+      while (looks_plain()) take(arrival_rad_);
+      EXPECT_EQ(look(), step.expected) << "at " << topology_.nodes[node_].name;
+      if (step.manoeuvre != Manoeuvre::hover) take(arrival_rad_ + step.turn_rad);
+    }
+  }
+  std::size_t node() const { return node_; }
+
+ private:
+  void take(double heading_rad) {
+    for (const TopologyArm& arm : topology_.nodes[node_].arms) {
+      if (std::abs(wrap_angle(arm.heading_rad - heading_rad)) > radians(25.0)) continue;
+      node_ = arm.to;
+      arrival_rad_ = arm.arrival_heading_rad;
+      return;
+    }
+    FAIL() << "no arm at " << degrees(heading_rad) << " deg on " << topology_.nodes[node_].name;
+  }
+  NodeSignature look() const {
+    Arms arms;
+    for (const TopologyArm& arm : topology_.nodes[node_].arms) {
+      const long quarter = std::lround(2.0 * wrap_angle(arm.heading_rad - arrival_rad_) / kPi);
+      (quarter == 0   ? arms.forward
+       : quarter == 1 ? arms.left
+       : quarter < 0  ? (quarter == -1 ? arms.right : arms.back)
+                      : arms.back) = true;
+    }
+    Arms ahead = arms;
+    ahead.forward = false;
+    return {code_of(ahead), code_of(arms), !arms.forward};
+  }
+  bool looks_plain() const { return look() == NodeSignature{}; }
+
+  const Topology& topology_;
+  std::size_t node_;
+  double arrival_rad_ = 0.0;
+};
+
+TEST(Plan, EveryNodeOfTheGridIsReachedByItsPlan) {
+  const TestFloor floor = testing::warehouse_floor();
+  const Topology topology = floor.topology();
+  for (const std::string& node : floor.names()) {
+    if (node == "a00") continue;
+    EXPECT_EQ(Walker(topology, plan_to(floor, node)).node(), floor.index(node)) << node;
+    EXPECT_EQ(told(plan_to(floor, node)), told(plan_to(floor, "node:" + node)));
+  }
+}
+
+TEST(Plan, EveryKeyLocationAndStubOfTheSquareIsReachedByItsPlan) {
+  const TestFloor floor = testing::square_floor();
+  const Topology topology = floor.topology();
+  for (const std::string& node : floor.names()) {
+    if (node == "b00") continue;
+    EXPECT_EQ(Walker(topology, plan_to(floor, "node:" + node)).node(), floor.index(node)) << node;
+  }
+}
+
+TEST(Plan, ArmsAt45DegreesAreRefused) {
+  EXPECT_THAT(refusal(testing::octagon_floor(), "c01"),
+              AllOf(HasSubstr("corner0"), HasSubstr("45°"), HasSubstr("codes")));
+}
+
+TEST(Plan, TheStartItselfIsRefused) {
+  EXPECT_THAT(refusal(testing::warehouse_floor(), "a00"), AllOf(HasSubstr("a00"), HasSubstr("take-off")));
+}
+
+TEST(Plan, ATargetWithoutAWayIsRefused) {
+  TestFloor floor = testing::warehouse_floor();
+  floor.add("island", {100.0, 100.0});
+  EXPECT_THAT(refusal(floor, "node:island"), AllOf(HasSubstr("island"), HasSubstr("no painted way")));
+}
+
+TEST(Plan, ATargetOnPlainLineIsRefused) {
+  TestFloor floor("seam");
+  floor.add("start", {0.0, 0.0});
+  floor.add("seam", {2.0, 0.0});
+  floor.add("end", {5.0, 0.0});
+  floor.join("start", "seam");
+  floor.join("seam", "end");
+  EXPECT_THAT(refusal(floor, "node:seam"), AllOf(HasSubstr("seam"), HasSubstr("plain line")));
+}
+
+TEST(Plan, UnknownTargetsAreAnsweredWithThoseThatThereAre) {
+  const TestFloor floor = testing::square_floor();
+  EXPECT_THAT(refusal(floor, "a13"),
+              AllOf(HasSubstr("square"), HasSubstr("a13"), HasSubstr("b00 b01 b02 b03")));
+  EXPECT_THAT(refusal(floor, "node:nowhere"), AllOf(HasSubstr("square"), HasSubstr("'nowhere'")));
+  EXPECT_THAT(refusal(floor, "b9"), AllOf(HasSubstr("'b9'"), HasSubstr("allowed")));
+  EXPECT_THAT(refusal(TestFloor("bare"), "a13"), HasSubstr("node:NAME"));
+}
+
+TEST(Plan, FindsTargetsByLabelAndByName) {
+  const TestFloor floor = testing::warehouse_floor();
+  const Topology topology = floor.topology();
+  EXPECT_EQ(find_target(topology, "a13"), floor.index("a13"));
+  EXPECT_EQ(find_target(topology, "a:1:3"), floor.index("a13"));
+  EXPECT_EQ(find_target(topology, "node:a13"), floor.index("a13"));
+}
+
+TEST(Signature, OfAllSetsOfArms) {
+  // The code of SPEC's table with all arms in view; the preview is the code without the forward arm.
+  using enum JunctionCode;
+  struct Row {
+    const char* arms;
+    NodeSignature expected;
+  };
+  const Row table[] = {{"B", {straight, straight, true}},         {"FB", {straight, straight, false}},
+                       {"BL", {corner_left, corner_left, true}},  {"BR", {corner_right, corner_right, true}},
+                       {"FBL", {corner_left, tee_left, false}},   {"FBR", {corner_right, tee_right, false}},
+                       {"BLR", {tee_ahead, tee_ahead, true}},     {"FBLR", {tee_ahead, cross, false}},
+                       {"F", {unrecognised, straight, false}},    {"FL", {straight, corner_left, false}},
+                       {"FR", {straight, corner_right, false}},   {"FLR", {unrecognised, tee_behind, false}},
+                       {"LR", {unrecognised, unrecognised, true}}};
+  for (const Row& row : table) {
+    std::vector<double> angles;
+    for (const char arm : std::string(row.arms)) {
+      angles.push_back(arm == 'F' ? 0.0 : arm == 'B' ? kPi : arm == 'L' ? kPi / 2 : -kPi / 2);
+    }
+    EXPECT_EQ(signature(angles), row.expected) << row.arms;
+  }
+}
+
+TEST(Signature, ArmsMayBeOffBy25Degrees) {
+  const NodeSignature tee = signature({radians(24.0), radians(-156.0), radians(66.0)});
+  EXPECT_EQ(tee.code, JunctionCode::tee_left);
+  EXPECT_EQ(signature({radians(-24.0), radians(156.0), radians(114.0)}), tee);
+  for (const double off_deg : {26.0, 45.0, 64.0, 116.0, 154.0}) {
+    EXPECT_THROW(signature({kPi, radians(off_deg)}), std::invalid_argument) << off_deg;
+    EXPECT_THROW(signature({kPi, radians(-off_deg)}), std::invalid_argument) << off_deg;
+  }
+}
+
+}  // namespace
+}  // namespace lineservo::servo
