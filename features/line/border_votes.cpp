@@ -1,5 +1,6 @@
 #include "features/line/border_votes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "features/geometry/angles.h"
@@ -7,8 +8,9 @@
 namespace lineservo::features {
 namespace {
 
-constexpr int kDirections = 180;  // bins of 1° over half a turn
-constexpr int kSpread = 3;        // a border's directions scatter over about so many bins each way
+constexpr int kDirections = 180;     // bins of 1° over half a turn
+constexpr double kLeastShare = 0.2;  // of the longest border of its kind: less is wear, or waits its turn
+constexpr int kSpread = 3;           // a border's directions scatter over about so many bins each way
 
 int direction_bin(double theta_rad) {
   const int bin = static_cast<int>((theta_rad + kPi / 2.0) * (kDirections / kPi));
@@ -78,6 +80,9 @@ OffsetVotes::OffsetVotes(const std::vector<BorderPoint>& points, const std::vect
 std::vector<OffsetPeak> OffsetVotes::peaks(bool rising, double min_length) const {
   const auto& length = length_[rising];
   const auto run = [&length](std::size_t k) { return length[k - 1] + length[k] + length[k + 1]; };
+  double longest = 0.0;
+  for (std::size_t k = 1; k + 1 < kBins; ++k) longest = std::max(longest, run(k));
+  min_length = std::max(min_length, kLeastShare * longest);
   std::vector<OffsetPeak> found;
   for (std::size_t k = 2; k + 2 < kBins; ++k) {
     const double here = run(k);

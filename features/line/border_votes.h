@@ -39,7 +39,8 @@ class OffsetVotes {
 
   OffsetVotes(const std::vector<BorderPoint>& points, const std::vector<PointUse>& use, double theta_rad);
 
-  /// Local maxima of at least `min_length` of border, ordered by offset. Rising: the paint lies at larger ρ.
+  /// Local maxima of at least `min_length` of border and not far below the longest, ordered by offset.
+  /// Rising: the paint lies at larger ρ.
   std::vector<OffsetPeak> peaks(bool rising, double min_length) const;
 
  private:

@@ -87,7 +87,7 @@ bool StripeFinder::take_pair(double theta_rad) {
       if (length < options_.min_border_length) continue;  // of free points; accept() looks at all of them
       const StripeCourse course{theta_rad, 0.5 * (near.rho + far.rho), width};
       const double painted = fill(course, support(course));
-      if (painted >= options_.min_fill) candidates_.push_back({course, length * painted});
+      if (painted >= options_.min_fill) candidates_.push_back({course, length * (0.7 + 0.3 * painted)});
     }
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
@@ -198,7 +198,6 @@ StripeFinder::Support StripeFinder::support(const StripeCourse& course) const {
     const double along = axes.along(point.p_L);
     range.from = std::min(range.from, along);
     range.to = std::max(range.to, along);
-    range.length += point.length;
   }
   if (range.from > range.to) range = {};
   return range;

@@ -40,12 +40,11 @@ class StripeFinder {
  private:
   struct Candidate {
     StripeCourse course;
-    double score = 0.0;  ///< border that supports it, times the painted share between
+    double score = 0.0;  ///< border that supports it; of equals the one with paint between
   };
   /// The places along a course between which border points support it.
   struct Support {
     double from = 0.0, to = 0.0;
-    double length = 0.0;
     double middle() const { return 0.5 * (from + to); }
   };
 

@@ -61,16 +61,21 @@ class TestRandom {
 };
 
 /// A painted rectangle around the segment from a to b, in floor metres.
-struct Strip {
-  Eigen::Vector2d a, b;
-  double width;
+class Strip {
+ public:
+  Strip(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width)
+      : a_(a), along_((b - a).normalized()), length_((b - a).norm()), half_width_(0.5 * width) {}
 
   bool covers(const Eigen::Vector2d& p) const {
-    const Eigen::Vector2d along = (b - a).normalized();
-    const double t = (p - a).dot(along);
-    const double across = along.x() * (p - a).y() - along.y() * (p - a).x();
-    return t >= 0.0 && t <= (b - a).norm() && std::abs(across) <= 0.5 * width;
+    const Eigen::Vector2d from_a = p - a_;
+    const double t = from_a.dot(along_);
+    return t >= 0.0 && t <= length_ &&
+           std::abs(along_.x() * from_a.y() - along_.y() * from_a.x()) <= half_width_;
   }
+
+ private:
+  Eigen::Vector2d a_, along_;
+  double length_, half_width_;
 };
 
 /// A node at the origin of the floor with arms that leave it, headings counter-clockwise from +x.
@@ -117,6 +122,15 @@ struct Pose {
   }
 };
 
+/// The ray of a pixel's centre in the camera; without a lens the pinhole is all of it, and much quicker.
+inline Eigen::Vector3d pixel_ray(const MaskGeometry& geometry, int x, int y) {
+  const Eigen::Matrix3d& K_inverse = geometry.pinhole_inverse();
+  if (!geometry.has_distortion())
+    return {K_inverse(0, 0) * x + K_inverse(0, 2), K_inverse(1, 1) * y + K_inverse(1, 2), 1.0};
+  const NormalizedPoint n = geometry.normalize({static_cast<double>(x), static_cast<double>(y)});
+  return {n.x, n.y, 1.0};
+}
+
 /// Calls each(x, y, floor point) for every mask pixel, by its own ray through the tilted camera.
 template <typename Each>
 void for_each_pixel(const MaskGeometry& geometry, const Pose& pose, Each&& each) {
@@ -125,8 +139,7 @@ void for_each_pixel(const MaskGeometry& geometry, const Pose& pose, Each&& each)
       tilt_R_HB(pose.roll_rad, pose.pitch_rad) * down_camera_R_BC();
   for (int y = 0; y < geometry.height_px(); ++y) {
     for (int x = 0; x < geometry.width_px(); ++x) {
-      const NormalizedPoint n = geometry.normalize({static_cast<double>(x), static_cast<double>(y)});
-      const Eigen::Vector3d ray = R_WC * Eigen::Vector3d(n.x, n.y, 1.0);
+      const Eigen::Vector3d ray = R_WC * pixel_ray(geometry, x, y);
       const double scale = -pose.height_m / ray.z();
       each(x, y, Eigen::Vector2d(pose.x_m + scale * ray.x(), pose.y_m + scale * ray.y()));
     }
@@ -191,28 +204,40 @@ struct CodeTruth {
   double margin_px = std::numeric_limits<double>::infinity();
 };
 
-/// The size in pixels of what is in view of one arm beyond the node's square, by looking at every pixel.
-inline Eigen::Vector2d true_arm_size_px(const MaskGeometry& geometry, const Pose& pose, const Strip& arm) {
-  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
-  for_each_pixel(geometry, pose, [&](int x, int y, const Eigen::Vector2d& p) {
-    if (!arm.covers(p)) return;
-    low = low.cwiseMin(Eigen::Vector2d(x, y));
-    high = high.cwiseMax(Eigen::Vector2d(x, y));
+/// The sizes in pixels of what is in view of each arm beyond the node's square, by looking at every pixel.
+inline std::vector<Eigen::Vector2d> true_arm_sizes_px(const MaskGeometry& geometry, const Pose& pose,
+                                                      const Floor& floor) {
+  struct Seen {
+    Strip strip;
+    Eigen::Vector2d low{1e9, 1e9}, high{-1e9, -1e9};
+  };
+  std::vector<Seen> arms;
+  for (const double heading : floor.arm_headings_rad) {
+    const Eigen::Vector2d out(std::cos(heading), std::sin(heading));
+    arms.push_back({.strip = {0.5 * floor.width * out, floor.arm_length * out, floor.width}});
+  }
+  for_each_pixel(geometry, pose, [&arms](int x, int y, const Eigen::Vector2d& p) {
+    for (Seen& arm : arms) {
+      if (!arm.strip.covers(p)) continue;
+      arm.low = arm.low.cwiseMin(Eigen::Vector2d(x, y));
+      arm.high = arm.high.cwiseMax(Eigen::Vector2d(x, y));
+    }
   });
-  return high.x() < low.x() ? Eigen::Vector2d(0.0, 0.0)
-                            : Eigen::Vector2d(high - low + Eigen::Vector2d(1.0, 1.0));
+  std::vector<Eigen::Vector2d> sizes;
+  for (const Seen& arm : arms)
+    sizes.push_back((arm.high - arm.low + Eigen::Vector2d(1.0, 1.0)).cwiseMax(0.0));
+  return sizes;
 }
 
 inline CodeTruth true_code(const MaskGeometry& geometry, const Pose& pose, const Floor& floor) {
   Arms arms;
   CodeTruth truth;
-  for (const double heading : floor.arm_headings_rad) {
-    const Eigen::Vector2d out(std::cos(heading), std::sin(heading));
-    const Eigen::Vector2d size =
-        true_arm_size_px(geometry, pose, {0.5 * floor.width * out, floor.arm_length * out, floor.width});
-    truth.margin_px = std::min(truth.margin_px, std::abs(size.minCoeff() - 20.0));
-    if (size.minCoeff() < 20.0) continue;
-    const double angle = wrap_angle(heading - pose.heading_rad);
+  const std::vector<Eigen::Vector2d> sizes = true_arm_sizes_px(geometry, pose, floor);
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const double shorter_px = sizes[k].minCoeff();
+    truth.margin_px = std::min(truth.margin_px, std::abs(shorter_px - 20.0));
+    if (shorter_px < 20.0) continue;
+    const double angle = wrap_angle(floor.arm_headings_rad[k] - pose.heading_rad);
     const int quarter = static_cast<int>(std::lround(angle / (kPi / 2.0)));
     if (quarter == 0)
       arms.forward = true;
