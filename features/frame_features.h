@@ -48,9 +48,10 @@ struct FrameFeatures {
   std::vector<LineFeature> lines;           ///< every stripe in view, best to follow first
   std::optional<JunctionFeature> junction;  ///< the one nearest to the image centre
   CodeReading code;
-  std::optional<PixelPoint> centroid_px;  ///< of the path mask, in the resized 400×400 frame
-  int marker_pixels = 0;                  ///< red pixels of the start marker, in the resized frame
-  double foreground_ratio = 0.0;          ///< share of the frame that is path
+  std::optional<PixelPoint> centroid_px;   ///< of the path mask, in the resized 400×400 frame
+  int marker_pixels = 0;                   ///< red pixels of the start marker, in the resized frame
+  std::optional<LevelPoint> start_marker;  ///< its centroid, when there are enough of them for J0
+  double foreground_ratio = 0.0;           ///< share of the frame that is path
 
   /// The line to follow, or none.
   const LineFeature* line() const { return lines.empty() ? nullptr : &lines.front(); }

@@ -10,7 +10,8 @@ Perception::Perception(const CameraModel& camera, const PerceptionOptions& optio
     : options_(options),
       frame_size_(camera.width_px(), camera.height_px()),
       segmenter_(options.segmenter),
-      stripes_(MaskGeometry(camera, options.segmenter.width_px, options.segmenter.height_px), options.stripe),
+      geometry_(camera, options.segmenter.width_px, options.segmenter.height_px),
+      stripes_(geometry_, options.stripe),
       filter_(options.junction_window) {}
 
 FrameFeatures Perception::observe(const cv::Mat& bgr, const LevelView& view) {
@@ -28,6 +29,8 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const LevelView& view) {
   features.junction = stripes.junction;
   features.centroid_px = centroid(profile_);
   features.marker_pixels = segmentation_->marker_pixels;
+  if (segmentation_->marker_pixels > kStartMarkerLimit_px)
+    features.start_marker = view.level(geometry_.normalize(*segmentation_->marker_centroid_px));
   features.foreground_ratio = foreground_ratio(profile_);
   bool line_ends_ahead = false;
   const JunctionCode raw = read_code(stripes, line_ends_ahead);

@@ -45,6 +45,7 @@ class Perception {
   PerceptionOptions options_;
   cv::Size frame_size_;
   PathSegmenter segmenter_;
+  MaskGeometry geometry_;
   StripePerception stripes_;
   CodeFilter filter_;
   MaskProfile profile_;

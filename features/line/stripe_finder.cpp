@@ -253,18 +253,20 @@ Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders) const {
 }
 
 // Between a gap and a blotch, or at a cap, worn paint shows pieces that start and end inside a longer stripe.
+// A piece that leaves the view beside that stripe goes on: it is a side arm of which little is in view.
 void StripeFinder::drop_wear() {
   const auto length = [](const Stripe& s) { return s.end.along - s.begin.along; };
   const auto inside = [&length](const Stripe& piece, const Stripe& whole) {
     if (length(piece) >= length(whole)) return false;
     const StripeAxes axes(whole.course);
-    const double reach = 0.5 * whole.course.width + std::max(kBesideEnd, 0.2 * whole.course.width);
-    const auto within = [&](const LevelPoint& p) {
+    const auto within = [&](const LevelPoint& p, bool leaves_view) {
+      const double margin = leaves_view ? kBesideEnd : std::max(kBesideEnd, 0.2 * whole.course.width);
       const double along = axes.along(p.vector());
-      return std::abs(axes.across(p.vector())) < reach && along > whole.begin.along - kBesideEnd &&
-             along < whole.end.along + kBesideEnd;
+      return std::abs(axes.across(p.vector())) < 0.5 * whole.course.width + margin &&
+             along > whole.begin.along - kBesideEnd && along < whole.end.along + kBesideEnd;
     };
-    return within(piece.feature.begin) && within(piece.feature.end);
+    return within(piece.feature.begin, piece.begin.leaves_view) &&
+           within(piece.feature.end, piece.end.leaves_view);
   };
   for (auto piece = stripes_->begin(); piece != stripes_->end();) {
     const bool is_wear = std::any_of(stripes_->begin(), stripes_->end(),

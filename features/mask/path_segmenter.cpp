@@ -29,7 +29,9 @@ PathSegmenter::PathSegmenter(const SegmenterOptions& options, Processor processo
       marker_(options.width_px, options.height_px),
       smooth_(options.width_px, options.height_px),
       result_{PackedMask(options.width_px, options.height_px),
-              PackedMask(options.width_px, options.height_px), 0} {}
+              PackedMask(options.width_px, options.height_px),
+              0,
+              {}} {}
 
 const Segmentation& PathSegmenter::segment(const cv::Mat& bgr) {
   require_frame(bgr);
@@ -37,8 +39,11 @@ const Segmentation& PathSegmenter::segment(const cv::Mat& bgr) {
   result_.marker_pixels = classifier_->classify(bgr, colored_, marker_);
   clean(colored_, result_.path);
   if (result_.marker_pixels == 0) {
+    result_.marker_centroid_px.reset();
     result_.paint = result_.path;
   } else {
+    profile_of(marker_, profile_);
+    result_.marker_centroid_px = centroid(profile_);
     marker_ |= colored_;
     clean(marker_, result_.paint);
   }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "features/mask/frame_classifier.h"
 #include "features/mask/mask_filter.h"
+#include "features/mask/mask_profile.h"
 #include "features/mask/packed_mask.h"
 #include "features/mask/segmenter_options.h"
 
@@ -14,6 +16,7 @@ struct Segmentation {
   PackedMask path;        ///< after median and closing
   PackedMask paint;       ///< the same for path and marker together: the stripes run on under a marker
   int marker_pixels = 0;  ///< in the resized frame
+  std::optional<PixelPoint> marker_centroid_px;  ///< of the marker, in the resized frame
 };
 
 /// Frame → path mask and marker pixels, topology §2.1 with the parameters of §2.5: resize, colour test,
@@ -41,6 +44,7 @@ class PathSegmenter {
   std::unique_ptr<FrameClassifier> classifier_;
   MaskFilter filter_;
   PackedMask colored_, marker_, smooth_;
+  MaskProfile profile_;
   Segmentation result_;
 };
 

@@ -40,8 +40,15 @@ std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanSte
   return std::nullopt;
 }
 
+/// Where the frame shows the start marker.
+std::optional<Eigen::Vector2d> start_sighting(const Observation& o) {
+  if (!o.features.start_marker) return std::nullopt;
+  return floor_point_m(*o.features.start_marker, o.capture_height_m);
+}
+
+/// Phases that hold the vehicle above a place: the start marker or a node.
 bool tracks_node(Phase phase) {
-  return phase == Phase::dock || phase == Phase::turn || phase == Phase::hover;
+  return phase == Phase::align || phase == Phase::dock || phase == Phase::turn || phase == Phase::hover;
 }
 
 }  // namespace
@@ -86,12 +93,14 @@ void Executive::observe(const Observation& observation) {
 
   node_ = phase_ == Phase::follow ? matcher_.update(seen.code) : std::nullopt;
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
-    auto sighting = node_sighting(observation, current_step());
+    auto sighting =
+        phase_ == Phase::align ? start_sighting(observation) : node_sighting(observation, current_step());
     const bool is_left_behind = !tracks_node(phase_) && !node_ && sighting && sighting->x() < 0.0;
     if (is_left_behind) sighting.reset();  // still in view, but not the next one
     tracker_.observe(observation, sighting);
     if (sighting && tracks_node(phase_)) dock_law_.observe(observation, *sighting);
   }
+  if (phase_ == Phase::align && tracker_.node_now(observation)) line_seen_ = observation.now;
   if (phase_ == Phase::turn) correct_turn(observation);
   smooth_velocity(observation);
 }
@@ -153,7 +162,10 @@ void Executive::enter(Phase phase, const Observation& observation) {
     matcher_.restart();
     tracker_.reset();
   }
-  if (phase == Phase::align) law_->reset();
+  if (phase == Phase::align) {
+    law_->reset();
+    dock_law_.reset();
+  }
   report("phase", std::string(name(phase)) +
                       (phase == Phase::aborted ? ": " + std::string(name(abort_reason_)) : std::string()));
   phase_ = phase;
@@ -205,7 +217,11 @@ VelocityCommand Executive::stay(const Observation& observation, double yaw_rate_
   return {0.0, 0.0, height_rate(observation.height_m, options_.phases.height_m), yaw_rate_rad_s};
 }
 
+// Above the start marker when there is one to be seen; a law that does not dock does so only while it sees no
+// line.
 Command Executive::align(const Observation& observation) {
+  const bool holds_marker = tracker_.node_now(observation) && (servos_on_node_ || !line_angle_rad_);
+  if (holds_marker) return hold_node(observation);
   if (servos_on_node_) return law_->follow(observation, {0.0, options_.phases.height_m});
   return stay(observation, turn_rate(-line_angle_rad_.value_or(0.0), options_.turn));
 }
