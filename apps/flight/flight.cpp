@@ -97,7 +97,7 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
                   perception_options(request.settings.features,
                                      junction_method(request.settings.features, controller_of(request)))),
       executive_(plan, controller_of(request).make(request.settings.laws),
-                 controller_of(request).servos_on_node, executive_options(request.settings, request.land)),
+                 controller_of(request).traits, executive_options(request.settings, request.land)),
       latency_known_(draw_known_latency(request)) {}
 
 FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {

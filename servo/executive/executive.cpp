@@ -53,11 +53,11 @@ bool tracks_node(Phase phase) {
 
 }  // namespace
 
-Executive::Executive(Plan plan, std::unique_ptr<FollowLaw> law, bool servos_on_node,
+Executive::Executive(Plan plan, std::unique_ptr<FollowLaw> law, const LawTraits& traits,
                      const ExecutiveOptions& options)
     : plan_(std::move(plan)),
       law_(std::move(law)),
-      servos_on_node_(servos_on_node),
+      traits_(traits),
       options_(options),
       dock_law_(options.dock),
       matcher_(options.confirm_frames),
@@ -91,7 +91,9 @@ void Executive::observe(const Observation& observation) {
   if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.norm();
   last_odometry_ = observation.odometry_now;
 
-  node_ = phase_ == Phase::follow ? matcher_.update(seen.code) : std::nullopt;
+  node_ = phase_ == Phase::follow
+              ? matcher_.update(seen.code, travelled_m_ > options_.leaving_heights * observation.height_m)
+              : std::nullopt;
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
         phase_ == Phase::align ? start_sighting(observation) : node_sighting(observation, current_step());
@@ -128,7 +130,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   if (const auto node = tracker_.node_now(observation)) s.node_distance_m = node->norm();
   s.speed_m_s = velocity_H_m_s_.norm();
   s.turn_left_rad = turn_left(observation);
-  s.servos_on_node = servos_on_node_;
+  s.servos_on_node = traits_.servos_on_node;
   s.on_ground = on_ground;
   const bool holds = goal_holds(phase_, s, options_.phases);
   if (holds && !goal_held_) goal_began_ = observation.now;
@@ -187,7 +189,7 @@ Command Executive::command(const Observation& observation) {
     case Phase::turn:
       return turn(observation);
     case Phase::hover:
-      return servos_on_node_ ? hold_node(observation) : stay(observation);
+      return traits_.servos_on_node ? hold_node(observation) : stay(observation);
     case Phase::aborted:
       return stay(observation);
     case Phase::land:
@@ -220,21 +222,34 @@ VelocityCommand Executive::stay(const Observation& observation, double yaw_rate_
 // Above the start marker when there is one to be seen; a law that does not dock does so only while it sees no
 // line.
 Command Executive::align(const Observation& observation) {
-  const bool holds_marker = tracker_.node_now(observation) && (servos_on_node_ || !line_angle_rad_);
+  const bool holds_marker = tracker_.node_now(observation) && (traits_.servos_on_node || !line_angle_rad_);
   if (holds_marker) return hold_node(observation);
-  if (servos_on_node_) return law_->follow(observation, {0.0, options_.phases.height_m});
+  if (traits_.servos_on_node) return law_->follow(observation, {0.0, options_.phases.height_m});
   return stay(observation, turn_rate(-line_angle_rad_.value_or(0.0), options_.turn));
 }
 
 Command Executive::follow(const Observation& observation) {
-  return law_->follow(observation, {approach_speed(observation), options_.phases.height_m});
+  const Command command = law_->follow(observation, {approach_speed(observation), options_.phases.height_m});
+  return traits_.steers_heading ? command : with_heading_held(command);
+}
+
+// The published lateral laws take the heading for given: their autopilots have a compass. Indoors there is
+// none, so the line's angle stands in for it, slowly.
+Command Executive::with_heading_held(Command command) const {
+  auto* velocity = std::get_if<VelocityCommand>(&command);
+  if (velocity && line_angle_rad_) {
+    velocity->yaw_rate_rad_s =
+        std::clamp(-options_.heading_gain_per_s * *line_angle_rad_, -options_.heading_rate_limit_rad_s,
+                   options_.heading_rate_limit_rad_s);
+  }
+  return command;
 }
 
 // Before a node to dock on: v ≤ √(2·a·d), so that the point task takes over with nothing left to brake.
 double Executive::approach_speed(const Observation& observation) const {
   const PlanStep* step = current_step();
   const auto node = tracker_.node_now(observation);
-  if (!servos_on_node_ || !step || step->manoeuvre == Manoeuvre::go_straight || !node)
+  if (!traits_.servos_on_node || !step || step->manoeuvre == Manoeuvre::go_straight || !node)
     return options_.speed_m_s;
   const double ahead_m = std::max(0.0, node->x());
   const double braking = std::sqrt(2.0 * options_.approach_deceleration_m_s2 * ahead_m);
@@ -253,7 +268,7 @@ VelocityCommand Executive::hold_node(const Observation& observation) {
 VelocityCommand Executive::turn(const Observation& observation) {
   const double rate = turn_rate(turn_left(observation), options_.turn);
   const auto node = tracker_.node_now(observation);
-  if (!servos_on_node_ || !node) return stay(observation, rate);
+  if (!traits_.servos_on_node || !node) return stay(observation, rate);
   return dock_law_.hold(observation, {*node, std::nullopt, rate, options_.phases.height_m});
 }
 

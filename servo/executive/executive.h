@@ -24,7 +24,11 @@ struct ExecutiveOptions {
   NodeTracker::Options tracker;
   CommandLimits limits;
   int confirm_frames = 2;
+  double leaving_heights =
+      0.7;  ///< a node left behind is in view for so far a way, in heights: half the view
   double climb_rate_m_s = 0.4;
+  double heading_gain_per_s = 0.5;  ///< for laws that do not steer the heading
+  double heading_rate_limit_rad_s = 0.1;
   double approach_deceleration_m_s2 = 0.5;  ///< before a node that is to be docked on
   double approach_speed_m_s = 0.05;         ///< never slower than this before its code is confirmed
   double speed_time_constant_s = 0.5;       ///< over which the speed that counts as rest is averaged
@@ -39,8 +43,8 @@ struct ExecutiveEvent {
 /// Carries out a plan: recognises nodes by their codes, chooses the phase, and lets the phase's law speak.
 class Executive {
  public:
-  /// `servos_on_node`: dock on nodes with the point task; otherwise stop where the code is confirmed.
-  Executive(Plan plan, std::unique_ptr<FollowLaw> law, bool servos_on_node, const ExecutiveOptions& options);
+  Executive(Plan plan, std::unique_ptr<FollowLaw> law, const LawTraits& traits,
+            const ExecutiveOptions& options);
 
   /// One control tick: observe → assess → decide → command → shape.
   Command tick(const Observation& observation, bool on_ground);
@@ -68,6 +72,7 @@ class Executive {
   VelocityCommand stay(const Observation& observation, double yaw_rate_rad_s = 0.0) const;
   Command align(const Observation& observation);
   Command follow(const Observation& observation);
+  Command with_heading_held(Command command) const;
   VelocityCommand hold_node(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
 
@@ -81,7 +86,7 @@ class Executive {
 
   Plan plan_;
   std::unique_ptr<FollowLaw> law_;
-  bool servos_on_node_;
+  LawTraits traits_;
   ExecutiveOptions options_;
   DockLaw dock_law_;
   JunctionMatcher matcher_;

@@ -32,9 +32,9 @@ void JunctionMatcher::restart() {
   candidate_frames_ = 0;
 }
 
-std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading) {
+std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading, bool away) {
   if (leaving_) {
-    leaving_ = !is_clear(reading);
+    leaving_ = !(away && is_clear(reading));
     return std::nullopt;
   }
   const std::optional<NodeSighting> seen = complete_node(reading);

@@ -23,7 +23,9 @@ class JunctionMatcher {
   explicit JunctionMatcher(int confirm_frames) : confirm_frames_(confirm_frames) {}
 
   void restart();
-  std::optional<NodeSighting> update(const features::CodeReading& reading);
+  /// `away`: the vehicle has come so far since the last node, or since the start of the leg, that it can be
+  /// out of view.
+  std::optional<NodeSighting> update(const features::CodeReading& reading, bool away);
   /// The node told last, or the one that the leg started from, is still in view.
   bool leaving() const { return leaving_; }
 

@@ -90,7 +90,8 @@ bool docked(const Situation& s, const PhaseOptions& o) {
 }
 
 bool turned(const Situation& s, const PhaseOptions& o) {
-  return s.line_angle_rad && std::abs(s.turn_left_rad) < o.turn_angle_rad;
+  const bool on_line = s.line_angle_rad || !s.servos_on_node;
+  return on_line && std::abs(s.turn_left_rad) < o.turn_angle_rad;
 }
 
 bool expected(const NodeSighting& node, const PlanStep& step) {

@@ -42,7 +42,7 @@ struct PhaseOptions {
   double dock_limit_s = 20.0;
   double turn_angle_rad = 0.017;
   double turn_limit_s = 20.0;
-  double hover_s = 4.0;
+  double hover_s = 8.0;
   double abort_hover_s = 3.0;
   bool land = false;  ///< at the end of the mission
 };
@@ -69,6 +69,8 @@ struct Situation {
 bool at_height(const Situation& s, const PhaseOptions& o);
 bool aligned(const Situation& s, const PhaseOptions& o);
 bool docked(const Situation& s, const PhaseOptions& o);
+/// By the next line's angle; a law that turns where its code came may not see that line yet and goes by the
+/// gyro.
 bool turned(const Situation& s, const PhaseOptions& o);
 bool expected(const NodeSighting& node, const PlanStep& step);
 /// The expected code did not come within the possible distance.

@@ -6,11 +6,17 @@ namespace lineservo::servo {
 
 const std::vector<Controller>& controllers() {
   static const std::vector<Controller> kControllers = {
-      {"ibvs", "visual servoing on the fitted line, docking on nodes (ours)", true, "stripe",
+      {"ibvs",
+       "visual servoing on the fitted line, docking on nodes (ours)",
+       {true, true},
+       "stripe",
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
          return std::make_unique<IbvsLineLaw>(o.ibvs);
        }},
-      {"pid", "lateral PID on the mask's centroid, fixed turns (topology)", false, "fpd",
+      {"pid",
+       "lateral PID on the mask's centroid, fixed turns (topology)",
+       {false, false},
+       "fpd",
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> { return std::make_unique<PidLaw>(o.pid); }},
   };
   return kControllers;

@@ -20,7 +20,7 @@ struct LawOptions {
 struct Controller {
   std::string_view name;
   std::string_view summary;
-  bool servos_on_node;  ///< docks on nodes; the others stop as their paper does, on the confirmed code
+  LawTraits traits;
   std::string_view junction_method;  ///< the recogniser that it flies with unless told otherwise
   std::unique_ptr<FollowLaw> (*make)(const LawOptions&);
 };

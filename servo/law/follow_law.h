@@ -11,6 +11,14 @@ struct FollowGoal {
   double height_m = 0.5;
 };
 
+/// What the executive has to do for a law.
+struct LawTraits {
+  bool servos_on_node =
+      true;  ///< docks on nodes; otherwise it stops where the code is confirmed, as its paper does
+  bool steers_heading =
+      true;  ///< otherwise the executive holds the heading on the line, in the place of a compass
+};
+
 /// A law that follows a line: features in, command out. Knows no plan, no clock, no camera.
 class FollowLaw {
  public:

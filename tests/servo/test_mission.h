@@ -90,7 +90,7 @@ inline features::FrameFeatures frame_of(const Mission& mission, const TestVehicl
 /// Flies until the mission is finished or its time is up.
 inline Logbook fly(const Mission& mission) {
   const Controller& controller = find_controller(mission.controller);
-  Executive executive(mission.plan, controller.make({}), controller.servos_on_node, mission.options);
+  Executive executive(mission.plan, controller.make({}), controller.traits, mission.options);
   TestVehicle vehicle(mission.start, mission.drift_W_m_s);
   CodeWindow window;
   Logbook log;

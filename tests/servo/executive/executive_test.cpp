@@ -35,7 +35,8 @@ struct Bench {
   explicit Bench(const Command& command, double height_m = 0.5) : start(height_m) {
     const Topology topology = floor.topology();
     executive = std::make_unique<Executive>(compile(topology, floor.index("a10"), "a10"),
-                                            std::make_unique<FixedLaw>(command, &asked), false, options);
+                                            std::make_unique<FixedLaw>(command, &asked),
+                                            LawTraits{false, true}, options);
   }
   Command tick() {
     const Pose pose{floor.at("a00") + Eigen::Vector2d(1.2, 0.0), 0.0, start};

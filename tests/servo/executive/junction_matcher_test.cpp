@@ -29,7 +29,7 @@ std::string told(const std::string& frames, int confirm_frames = 2) {
     const std::size_t star = token.find('*');
     const int count = star == std::string::npos ? 1 : std::stoi(token.substr(star + 1));
     for (int k = 0; k < count; ++k) {
-      const auto node = matcher.update(reading(token.substr(0, star)));
+      const auto node = matcher.update(reading(token.substr(0, star)), true);
       if (!node) continue;
       nodes +=
           (nodes.empty() ? "" : " ") + std::string(features::name(node->code)) + (node->line_ends ? "!" : "");
@@ -77,14 +77,14 @@ TEST(JunctionMatcher, WhatIsInViewAtTheStartIsLeftBehind) {
 TEST(JunctionMatcher, RestartBeginsANewLeg) {
   JunctionMatcher matcher(2);
   EXPECT_TRUE(matcher.leaving());
-  matcher.update(reading("J2"));
+  matcher.update(reading("J2"), true);
   EXPECT_FALSE(matcher.leaving());
   matcher.restart();
   EXPECT_TRUE(matcher.leaving());
-  for (int k = 0; k < 5; ++k) EXPECT_FALSE(matcher.update(reading("J3")).has_value());
-  matcher.update(reading("J2"));
-  EXPECT_FALSE(matcher.update(reading("J3")).has_value());
-  EXPECT_TRUE(matcher.update(reading("J3")).has_value());
+  for (int k = 0; k < 5; ++k) EXPECT_FALSE(matcher.update(reading("J3"), true).has_value());
+  matcher.update(reading("J2"), true);
+  EXPECT_FALSE(matcher.update(reading("J3"), true).has_value());
+  EXPECT_TRUE(matcher.update(reading("J3"), true).has_value());
   EXPECT_TRUE(matcher.leaving());
 }
 
@@ -106,6 +106,16 @@ TEST(IsClear, OnPlainLineThatGoesOn) {
   for (const char* other : {"J0", "J1", "J3", "J4", "J5", "J6", "J7", "J8", "J9"}) {
     EXPECT_FALSE(is_clear(reading(other))) << other;
   }
+}
+
+TEST(JunctionMatcher, ANodeLeftBehindIsNotToldAgainBeforeItCanBeOutOfView) {
+  JunctionMatcher matcher(1);
+  for (int k = 0; k < 5; ++k) matcher.update(reading("J2"), false);  // a gap in the readings of the old node
+  EXPECT_FALSE(matcher.update(reading("J3"), false).has_value());
+  EXPECT_TRUE(matcher.leaving());
+  matcher.update(reading("J2"), true);
+  EXPECT_FALSE(matcher.leaving());
+  EXPECT_TRUE(matcher.update(reading("J3"), true).has_value());
 }
 
 }  // namespace

@@ -90,7 +90,9 @@ TEST(Predicate, Turned) {
                        {"nearly, the other way", true, left(-0.016)},
                        {"not yet", false, left(0.018)},
                        {"too far", false, left(-0.018)},
-                       {"by the gyro alone", false, [](Situation& s) { s.line_angle_rad.reset(); }}});
+                       {"by the gyro alone", false, [](Situation& s) { s.line_angle_rad.reset(); }},
+                       {"by the gyro alone, for a law that does not dock", true,
+                        [](Situation& s) { s.line_angle_rad.reset(), s.servos_on_node = false; }}});
 }
 
 TEST(Predicate, ExpectedMeansCodeAndLineEnd) {

@@ -24,8 +24,8 @@ TEST(Controllers, EachHasANameOfItsOwnAndMakesALaw) {
 }
 
 TEST(Controllers, OursDocksAndThePublishedOneStopsOnTheCode) {
-  EXPECT_TRUE(find_controller("ibvs").servos_on_node);
-  EXPECT_FALSE(find_controller("pid").servos_on_node);
+  EXPECT_TRUE(find_controller("ibvs").traits.servos_on_node);
+  EXPECT_FALSE(find_controller("pid").traits.servos_on_node);
   EXPECT_EQ(find_controller("pid").junction_method, "fpd");
 }
 
