@@ -186,7 +186,7 @@ TEST(Next, NodesLeadToTheirManoeuvre) {
 TEST(Next, TheEndOfTheMission) {
   const auto on_ground = [](Situation& s) { s.on_ground = true; };
   const std::vector<Transition> either = {
-      {"hovering", Phase::hover, Phase::hover, after_s(3.9)},
+      {"hovering", Phase::hover, Phase::hover, after_s(7.9)},
       {"sinking", Phase::land, Phase::land, kNothing},
       {"down", Phase::land, Phase::finished, on_ground},
       {"waiting", Phase::aborted, Phase::aborted, after_s(2.9)},
@@ -194,11 +194,11 @@ TEST(Next, TheEndOfTheMission) {
       {"done", Phase::finished, Phase::finished, after_s(1000.0)},
   };
   expect_transitions(either);
-  expect_transitions({{"hovered", Phase::hover, Phase::finished, after_s(4.1)}});
+  expect_transitions({{"hovered", Phase::hover, Phase::finished, after_s(8.1)}});
   PhaseOptions landing;
   landing.land = true;
   expect_transitions(either, landing);
-  expect_transitions({{"hovered, to land", Phase::hover, Phase::land, after_s(4.1)}}, landing);
+  expect_transitions({{"hovered, to land", Phase::hover, Phase::land, after_s(8.1)}}, landing);
 }
 
 TEST(Next, WhatCannotGoOnAborts) {
