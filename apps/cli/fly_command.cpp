@@ -105,8 +105,11 @@ void add_fly_command(CLI::App& app, int& exit_code) {
   command->add_option("--speed", a.speed_m_s,
                       "speed along the line in m/s (default: that of the conditions)");
   command->add_option("--seed", a.seed, "seed of everything random (default 1)");
-  command->add_option("--set", a.overrides, "KEY=VALUE: any setting of config.yaml; may be repeated")
-      ->take_all();
+  command
+      ->add_option_function<std::string>(
+          "--set", [&a](const std::string& assignment) { a.overrides.push_back(assignment); },
+          "KEY=VALUE: any setting of config.yaml; may be repeated")
+      ->trigger_on_parse();
   command->add_option("--config", a.config, "the config.yaml of an earlier flight, to repeat it");
   command->add_flag("--land", a.land, "land on the target instead of hovering");
   command->add_flag("--explain", a.explain, "print the plan and do not fly");

@@ -10,8 +10,8 @@
 namespace lineservo::servo {
 
 struct DockOptions {
-  AdaptiveGain gain = {1.2, 0.9, 2.0};
-  double drift_time_constant_s = 1.5;
+  AdaptiveGain gain = {2.0, 0.9, 2.0};
+  double drift_time_constant_s = 0.4;
   double drift_limit_m_s = 0.3;
 };
 

@@ -152,7 +152,8 @@ TEST(IbvsLineLaw, ResetForgetsTheLineAndTheDrift) {
   EXPECT_EQ(flight.blind().forward_m_s, 0.0);  // nothing to coast on
   flight.law.reset();
   const double left_m = flight.vehicle.pose().p_W.y();
-  EXPECT_NEAR(flight.see().left_m_s, -1.3 * left_m, 1e-3);  // λ(0) = 1.3 alone
+  const double gain = IbvsLineOptions{}.gain.at_zero;  // nothing else is left
+  EXPECT_NEAR(flight.see().left_m_s, -gain * left_m, 1e-3);
 }
 
 TEST(IbvsLineLaw, TheSameFrameTwiceTeachesNothingNew) {
