@@ -1,5 +1,6 @@
 #include "features/perception.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "features/junction/fpd.h"
@@ -12,9 +13,10 @@ Perception::Perception(const CameraModel& camera, const PerceptionOptions& optio
       segmenter_(options.segmenter),
       geometry_(camera, options.segmenter.width_px, options.segmenter.height_px),
       stripes_(geometry_, options.stripe),
-      filter_(options.junction_window) {}
+      filter_(options.junction_window),
+      tracker_(options.tracker) {}
 
-FrameFeatures Perception::observe(const cv::Mat& bgr, const LevelView& view) {
+FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& context) {
   if (bgr.size() != frame_size_) {
     throw std::invalid_argument("the frame is " + std::to_string(bgr.cols) + "×" + std::to_string(bgr.rows) +
                                 " px, the camera " + std::to_string(frame_size_.width) + "×" +
@@ -22,20 +24,39 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const LevelView& view) {
   }
   segmentation_ = &segmenter_.segment(bgr);
   profile_of(segmentation_->path, profile_);
-  const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), view);
+  const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), context.view, prior(context));
 
   FrameFeatures features;
   features.lines = stripes.lines;
+  if (options_.line_filter == LineFilter::kalman) track(features.lines, context);
   features.junction = stripes.junction;
   features.centroid_px = centroid(profile_);
   features.marker_pixels = segmentation_->marker_pixels;
   if (segmentation_->marker_pixels > kStartMarkerLimit_px)
-    features.start_marker = view.level(geometry_.normalize(*segmentation_->marker_centroid_px));
+    features.start_marker = context.view.level(geometry_.normalize(*segmentation_->marker_centroid_px));
   features.foreground_ratio = foreground_ratio(profile_);
   bool line_ends_ahead = false;
   const JunctionCode raw = read_code(stripes, line_ends_ahead);
   features.code = filter_.update(raw, line_ends_ahead);
   return features;
+}
+
+std::optional<StripePrior> Perception::prior(const FrameContext& context) const {
+  if (options_.line_filter != LineFilter::kalman) return std::nullopt;
+  const std::optional<LineFeature> line = tracker_.expected(context.height_m);
+  if (!line) return std::nullopt;
+  return StripePrior{line->rho, line->theta_rad, line->width};
+}
+
+// The tracked line takes the first place; a seen one replaces its raw form.
+void Perception::track(std::vector<LineFeature>& lines, const FrameContext& context) {
+  const std::optional<TrackedLine> tracked = tracker_.update(context.since_last_s, context.height_m, lines);
+  if (!tracked) return;
+  const auto raw = std::find_if(lines.begin(), lines.end(), [&tracked](const LineFeature& line) {
+    return line.begin.x == tracked->line.begin.x && line.end.x == tracked->line.end.x;
+  });
+  if (!tracked->predicted && raw != lines.end()) lines.erase(raw);
+  lines.insert(lines.begin(), tracked->line);
 }
 
 JunctionCode Perception::read_code(const StripeFeatures& stripes, bool& line_ends_ahead) const {

@@ -9,6 +9,7 @@
 #include "features/mask/mask_profile.h"
 #include "features/mask/path_segmenter.h"
 #include "features/stripe_perception.h"
+#include "features/track/line_tracker.h"
 
 namespace lineservo::features {
 
@@ -18,11 +19,27 @@ enum class JunctionMethod {
   stripe,  ///< from the stripes that were found and the arms of their crossing (ours)
 };
 
+/// What becomes of the lines from frame to frame.
+enum class LineFilter {
+  none,
+  kalman,  ///< the line to follow is tracked (LineTracker): filtered, predicted through short losses, kept
+           ///< among parallels
+};
+
+/// What is known of a frame besides its pixels.
+struct FrameContext {
+  LevelView view;             ///< from the attitude at the exposure
+  double height_m = 0.5;      ///< at the exposure
+  double since_last_s = 0.0;  ///< since the exposure of the frame before
+};
+
 struct PerceptionOptions {
   SegmenterOptions segmenter;
   JunctionMethod junction_method = JunctionMethod::stripe;
   int junction_window = CodeFilter::kDefaultWindow;
   StripePerceptionOptions stripe;
+  LineFilter line_filter = LineFilter::none;
+  LineTrackerOptions tracker;
 };
 
 /// Frame → features: segmentation, centroid, stripes, junction and code. Remembers the code filter's window
@@ -32,14 +49,15 @@ class Perception {
   /// Throws std::invalid_argument for options out of bounds.
   Perception(const CameraModel& camera, const PerceptionOptions& options);
 
-  /// `bgr`: CV_8UC3 of the camera's size, else std::invalid_argument. `view`: from the attitude at the
-  /// exposure.
-  FrameFeatures observe(const cv::Mat& bgr, const LevelView& view);
+  /// `bgr`: CV_8UC3 of the camera's size, else std::invalid_argument.
+  FrameFeatures observe(const cv::Mat& bgr, const FrameContext& context);
 
   /// The mask of the last frame, for overlays.
   const PackedMask& mask() const { return segmentation_->path; }
 
  private:
+  std::optional<StripePrior> prior(const FrameContext& context) const;
+  void track(std::vector<LineFeature>& lines, const FrameContext& context);
   JunctionCode read_code(const StripeFeatures& stripes, bool& line_ends_ahead) const;
 
   PerceptionOptions options_;
@@ -48,6 +66,7 @@ class Perception {
   MaskGeometry geometry_;
   StripePerception stripes_;
   CodeFilter filter_;
+  LineTracker tracker_;
   MaskProfile profile_;
   const Segmentation* segmentation_ = nullptr;
 };

@@ -78,6 +78,7 @@ void SettingsTable::bind_features(FeatureSettings& f) {
   word("features.junction.method", f.junction_method, {"auto", "fpd", "stripe"});
   whole("features.junction.window", f.junction_window, {1, 3, 5, 7, 9});
   word("features.line.method", f.line_method, {"stripe"});
+  word("features.line.filter", f.line_filter, {"none", "kalman"});
   yes_no("features.tilt_correction", f.tilt_correction);
 }
 

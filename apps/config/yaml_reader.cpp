@@ -96,12 +96,14 @@ std::string YamlReader::text(const YAML::Node& map, const std::string& key,
   return map[key] ? text(map, key) : otherwise;
 }
 
-std::vector<double> YamlReader::numbers(const YAML::Node& map, const std::string& key, std::size_t count) const {
+std::vector<double> YamlReader::numbers(const YAML::Node& map, const std::string& key,
+                                        std::size_t count) const {
   if (!map[key]) fail(map, "key '" + key + "' is missing");
   return number_list(map[key], "key '" + key + "'", count);
 }
 
-std::vector<double> YamlReader::number_list(const YAML::Node& list, const std::string& what, std::size_t count) const {
+std::vector<double> YamlReader::number_list(const YAML::Node& list, const std::string& what,
+                                            std::size_t count) const {
   const std::string need = what + " must be a list of " + std::to_string(count) + " finite numbers";
   if (!list.IsSequence() || list.size() != count) fail(list, need);
   std::vector<double> values(count);

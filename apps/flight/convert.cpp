@@ -58,6 +58,8 @@ features::PerceptionOptions perception_options(const FeatureSettings& settings, 
   options.junction_method =
       method == "fpd" ? features::JunctionMethod::fpd : features::JunctionMethod::stripe;
   options.junction_window = settings.junction_window;
+  options.line_filter =
+      settings.line_filter == "kalman" ? features::LineFilter::kalman : features::LineFilter::none;
   return options;
 }
 

@@ -96,8 +96,8 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
       perception_(features::CameraModel(camera_parameters(request.settings.camera)),
                   perception_options(request.settings.features,
                                      junction_method(request.settings.features, controller_of(request)))),
-      executive_(plan, controller_of(request).make(request.settings.laws),
-                 controller_of(request).traits, executive_options(request.settings, request.land)),
+      executive_(plan, controller_of(request).make(request.settings.laws), controller_of(request).traits,
+                 executive_options(request.settings, request.land)),
       latency_known_(draw_known_latency(request)) {}
 
 FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {
@@ -172,10 +172,13 @@ servo::Observation Flight::observe(const vehicle::Frame& frame) {
 
 features::FrameFeatures Flight::extract(const vehicle::Frame& frame, const vehicle::Estimate& at_capture) {
   const Stopwatch watch(record_.timing.perception);
-  const bool corrects_tilt = request_.settings.features.tilt_correction;
-  const features::LevelView view =
-      corrects_tilt ? features::LevelView(at_capture.roll_rad, at_capture.pitch_rad) : features::LevelView();
-  return perception_.observe(frame.bgr, view);
+  features::FrameContext context;
+  if (request_.settings.features.tilt_correction)
+    context.view = features::LevelView(at_capture.roll_rad, at_capture.pitch_rad);
+  context.height_m = std::max(kLowestHeight_m, at_capture.height_m);
+  context.since_last_s =
+      record_.ticks.empty() ? 0.0 : vehicle::seconds(frame.stamp - record_.ticks.back().captured);
+  return perception_.observe(frame.bgr, context);
 }
 
 void Flight::send(const servo::Command& command) {

@@ -42,7 +42,7 @@ void set_axis(LineFeature& line, double rho, double theta_rad) {
 
 LineTracker::LineTracker(const LineTrackerOptions& options) : options_(options) {
   const bool sound = options.offset_acceleration_m_s2 > 0.0 && options.angle_acceleration_rad_s2 > 0.0 &&
-                     options.gate > 0.0 && options.least_offset_sigma_m > 0.0 &&
+                     options.gate > 0.0 && options.let_go_rad > 0.0 && options.least_offset_sigma_m > 0.0 &&
                      options.least_angle_sigma_rad > 0.0 && options.memory_s >= 0.0;
   if (!sound)
     throw std::invalid_argument("line tracker: noise and gate must be positive, the memory not negative");
@@ -51,10 +51,13 @@ LineTracker::LineTracker(const LineTrackerOptions& options) : options_(options) 
 std::optional<TrackedLine> LineTracker::update(double dt_s, double height_m,
                                                std::span<const LineFeature> lines) {
   if (has_line_) predict(std::max(0.0, dt_s));
-  if (has_line_ && unseen_s_ > options_.memory_s) reset();
+  if (has_line_ && (unseen_s_ > options_.memory_s || leads_elsewhere(state_[2]))) reset();
   if (!has_line_) {
-    if (lines.empty()) return std::nullopt;
-    start(lines.front(), height_m);
+    const auto first = std::find_if(lines.begin(), lines.end(), [this](const LineFeature& line) {
+      return !leads_elsewhere(line.theta_rad);
+    });
+    if (first == lines.end()) return std::nullopt;
+    start(*first, height_m);
     return TrackedLine{*expected(height_m), false};
   }
   const std::optional<Match> match = best_match(lines, height_m);
@@ -69,6 +72,10 @@ std::optional<LineFeature> LineTracker::expected(double height_m) const {
   line.covariance << covariance_(0, 0) / (height_m * height_m), covariance_(0, 2) / height_m,
       covariance_(2, 0) / height_m, covariance_(2, 2);
   return line;
+}
+
+bool LineTracker::leads_elsewhere(double theta_rad) const {
+  return std::abs(std::remainder(theta_rad, kPi)) > options_.let_go_rad;
 }
 
 void LineTracker::start(const LineFeature& line, double height_m) {

@@ -14,6 +14,8 @@ struct LineTrackerOptions {
   double gate = 13.8;                   ///< of the squared Mahalanobis distance: χ² with 2 degrees, 99.9 %
   double least_offset_sigma_m = 0.002;  ///< a detector's covariance is never trusted below this
   double least_angle_sigma_rad = 0.003;
+  double let_go_rad =
+      1.05;  ///< |θ| beyond which the line leads elsewhere and is let go: after a turn another one counts
   double memory_s = 0.5;  ///< how long a line that is not seen is predicted
 };
 
@@ -52,6 +54,7 @@ class LineTracker {
 
   void start(const LineFeature& line, double height_m);
   void predict(double dt_s);
+  bool leads_elsewhere(double theta_rad) const;
   std::optional<Match> best_match(std::span<const LineFeature> lines, double height_m) const;
   void correct(const Match& match);
   Eigen::Matrix2d noise(const LineFeature& line, double height_m) const;

@@ -55,7 +55,7 @@ TEST(LineTracker, SmoothsNoiseAndFollowsASteadyMotionWithoutLag) {
 }
 
 TEST(LineTracker, TheTwoFormsOfALineAreOne) {
-  LineTracker tracker;
+  LineTracker tracker({.let_go_rad = 3.0});
   for (int k = 0; k < 20; ++k) {
     const double theta_rad = radians(85.0 + k);  // through 90°: the detector's branch flips
     const double axis_rad = theta_rad > kPi / 2 ? theta_rad - kPi : theta_rad;
@@ -101,6 +101,17 @@ TEST(LineTracker, ClimbingDoesNotMoveTheLine) {
     ASSERT_TRUE(tracked.has_value());
     EXPECT_FALSE(tracked->predicted);
     EXPECT_NEAR(tracked->line.rho, 0.2 / height_m, 1e-6);
+  }
+}
+
+TEST(LineTracker, AfterATurnTheLineAheadCounts) {
+  LineTracker tracker;
+  for (int k = 0; k <= 30; ++k) {
+    const double turned_rad = radians(3.0 * k);
+    std::vector<LineFeature> lines = {line(0.0, turned_rad), line(0.0, turned_rad - kPi / 2)};
+    const auto tracked = tracker.update(kDt_s, 0.5, lines);
+    ASSERT_TRUE(tracked.has_value());
+    EXPECT_NEAR(tracked->line.theta_rad, k <= 20 ? turned_rad : turned_rad - kPi / 2, 0.05) << k;
   }
 }
 
