@@ -15,13 +15,6 @@ using features::wrap_angle;
 using vehicle::CurvePoint;
 using vehicle::CurveProjection;
 
-CurvePoint travel_point(const TravelledEdge& edge, double arc_length_m) {
-  if (!edge.reversed) return edge.curve->at(arc_length_m);
-  CurvePoint point = edge.curve->at(edge.curve->length_m() - arc_length_m);
-  point.heading_rad = wrap_angle(point.heading_rad + kPi);
-  return point;
-}
-
 LegOffset offset_from(const TravelledEdge& edge, const Eigen::Vector2d& p_W) {
   const CurveProjection projection = edge.curve->project(p_W);
   return {projection.distance_m, edge.reversed ? -projection.signed_offset_m : projection.signed_offset_m};
@@ -30,7 +23,7 @@ LegOffset offset_from(const TravelledEdge& edge, const Eigen::Vector2d& p_W) {
 /// Against the straight line that leads into the first edge; nothing when the place lies beyond the
 /// beginning.
 bool behind_start(const LegTruth& leg, const Eigen::Vector2d& p_W, LegOffset& offset) {
-  const CurvePoint start = travel_point(leg.edges.front(), 0.0);
+  const CurvePoint start = travelled_point(leg.edges.front(), 0.0);
   const Eigen::Vector2d forward(std::cos(start.heading_rad), std::sin(start.heading_rad));
   const Eigen::Vector2d from_start = p_W - start.p_W;
   if (from_start.dot(forward) >= 0.0) return false;
@@ -53,8 +46,8 @@ std::string axis_of(const LegTruth& leg) {
 
 void finish(LegTruth& leg, const std::string& to) {
   leg.to = to;
-  leg.start_heading_rad = travel_point(leg.edges.front(), 0.0).heading_rad;
-  leg.end_heading_rad = travel_point(leg.edges.back(), leg.edges.back().curve->length_m()).heading_rad;
+  leg.start_heading_rad = travelled_point(leg.edges.front(), 0.0).heading_rad;
+  leg.end_heading_rad = travelled_point(leg.edges.back(), leg.edges.back().curve->length_m()).heading_rad;
   leg.axis = axis_of(leg);
 }
 
@@ -65,6 +58,13 @@ std::size_t node_named(const vehicle::Layout& layout, const std::string& name) {
 }
 
 }  // namespace
+
+CurvePoint travelled_point(const TravelledEdge& edge, double arc_length_m) {
+  if (!edge.reversed) return edge.curve->at(arc_length_m);
+  CurvePoint point = edge.curve->at(edge.curve->length_m() - arc_length_m);
+  point.heading_rad = wrap_angle(point.heading_rad + kPi);
+  return point;
+}
 
 LegOffset offset_from(const LegTruth& leg, const Eigen::Vector2d& p_W) {
   LegOffset offset;

@@ -15,6 +15,9 @@ struct TravelledEdge {
   bool reversed = false;
 };
 
+/// The point of an edge at an arc length, as travelled.
+vehicle::CurvePoint travelled_point(const TravelledEdge& edge, double arc_length_m);
+
 /// A stretch between two turns, in true coordinates: for scoring only.
 struct LegTruth {
   std::string from, to;
