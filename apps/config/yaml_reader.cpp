@@ -1,5 +1,7 @@
 #include "apps/config/yaml_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -119,7 +121,7 @@ void YamlReader::allow(const YAML::Node& map, const std::vector<std::string>& ke
   for (const auto& pair : map) {
     const std::string& key = pair.first.Scalar();
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      fail(pair.first, "unknown key '" + key + "' of " + what + "; allowed: " + joined(keys));
+      fail(pair.first, fmt::format("unknown key '{}' of {}; allowed: {}", key, what, joined(keys)));
     }
   }
 }

@@ -88,7 +88,7 @@ std::vector<OffsetPeak> OffsetVotes::peaks(bool rising, double min_length) const
     const double here = run(k);
     if (here < min_length || here < run(k - 1) || here <= run(k + 1)) continue;
     const double centroid = (length[k + 1] - length[k - 1]) / here;
-    found.push_back({(static_cast<double>(k) - kBins / 2 + 0.5 + centroid) * kBin, here});
+    found.push_back({(static_cast<double>(k) - 0.5 * kBins + 0.5 + centroid) * kBin, here});
   }
   return found;
 }

@@ -45,6 +45,7 @@ std::vector<BilinearTap> bilinear_columns(int input, int output) {
 
 std::vector<BilinearTap> bilinear_rows(int input, int output) {
   std::vector<BilinearTap> taps;
+  taps.reserve(static_cast<std::size_t>(output));
   for (int i = 0; i < output; ++i) taps.push_back(tap(position(i, input, output), input));
   return taps;
 }
