@@ -153,6 +153,7 @@ void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
   number("executive.line_memory_s", e.phases.line_memory_s, 0.1, 10.0);
   number("executive.length_tolerance", e.phases.length_tolerance, 0.0, 1.0);
   number("executive.length_slack_m", e.phases.length_slack_m, 0.0, 5.0);
+  number("executive.odometry_drift_m_s", e.phases.odometry_drift_m_s, 0.0, 1.0);
   number("executive.dock_distance_m", e.phases.dock_distance_m, 0.001, 0.3);
   number("executive.dock_speed_m_s", e.phases.dock_speed_m_s, 0.001, 1.0);
 }

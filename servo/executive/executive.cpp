@@ -70,7 +70,7 @@ Command Executive::tick(const Observation& observation, bool on_ground) {
   if (decided == Phase::aborted && phase_ != Phase::aborted) {
     abort_reason_ = servo::abort_reason(phase_, situation, options_.phases);
   }
-  if (node_ && phase_ == Phase::follow && decided != Phase::aborted) pass_node();
+  if (node_ && phase_ == Phase::follow && decided != Phase::aborted) pass_node(observation.now);
   if (decided != phase_) enter(decided, observation);
   const double dt_s = last_tick_ ? seconds(observation.now - *last_tick_) : 0.0;
   last_tick_ = observation.now;
@@ -125,6 +125,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.line_angle_rad = line_angle_rad_;
   s.line_offset_m = line_offset_m_;
   s.travelled_m = travelled_m_;
+  s.since_node_s = seconds(observation.now - node_passed_);
   s.step = current_step();
   s.node = node_;
   if (const auto node = tracker_.node_now(observation)) s.node_distance_m = node->norm();
@@ -139,7 +140,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   return s;
 }
 
-void Executive::pass_node() {
+void Executive::pass_node(Time now) {
   const PlanStep& step = plan_.steps[step_];
   ++nodes_recognised_;
   report("node", std::string(features::name(node_->code)) + (node_->line_ends ? " (line ends)" : "") + ": " +
@@ -147,6 +148,7 @@ void Executive::pass_node() {
   if (step.manoeuvre == Manoeuvre::go_straight) {
     ++step_;
     travelled_m_ = 0.0;
+    node_passed_ = now;
     tracker_.reset();  // it must not slow the vehicle for the node behind
   }
 }
@@ -160,6 +162,7 @@ void Executive::enter(Phase phase, const Observation& observation) {
   if (phase == Phase::follow) {
     if (phase_ == Phase::turn) ++step_;
     travelled_m_ = 0.0;
+    node_passed_ = observation.now;
     law_->reset();
     matcher_.restart();
     tracker_.reset();

@@ -64,7 +64,7 @@ class Executive {
   void smooth_velocity(const Observation& observation);
   Situation assess(const Observation& observation, bool on_ground);
   void enter(Phase phase, const Observation& observation);
-  void pass_node();
+  void pass_node(Time now);
   Command command(const Observation& observation);
   Command shape(const Command& command, double dt_s);
 
@@ -103,6 +103,7 @@ class Executive {
   Time line_seen_{0};
   std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
   double travelled_m_ = 0.0;
+  Time node_passed_{0};  ///< or the start of the leg
   std::optional<Motion> last_odometry_;
   Eigen::Vector2d velocity_H_m_s_ = Eigen::Vector2d::Zero();  ///< averaged, drift included over a node
   double turn_heading_rad_ = 0.0;                             ///< odometry yaw at which the turn ends

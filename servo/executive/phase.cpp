@@ -99,11 +99,13 @@ bool expected(const NodeSighting& node, const PlanStep& step) {
 }
 
 bool overdue(const Situation& s, const PhaseOptions& o) {
-  return s.step && s.travelled_m > s.step->edge_length_m * (1.0 + o.length_tolerance) + o.length_slack_m;
+  const double at_least_m = s.travelled_m - o.odometry_drift_m_s * s.since_node_s;
+  return s.step && at_least_m > s.step->edge_length_m * (1.0 + o.length_tolerance) + o.length_slack_m;
 }
 
 bool too_early(const Situation& s, const PhaseOptions& o) {
-  return s.step && s.travelled_m < s.step->edge_length_m * (1.0 - o.length_tolerance) - o.length_slack_m;
+  const double at_most_m = s.travelled_m + o.odometry_drift_m_s * s.since_node_s;
+  return s.step && at_most_m < s.step->edge_length_m * (1.0 - o.length_tolerance) - o.length_slack_m;
 }
 
 bool goal_holds(Phase phase, const Situation& s, const PhaseOptions& o) {

@@ -110,6 +110,15 @@ TEST(Predicate, OverdueAndTooEarlyAreTheLengthWithToleranceAndSlack) {
               {{"early", true, at(3.39)}, {"in time", false, at(3.41)}, {"no plan", false, no_plan}});
 }
 
+TEST(Predicate, DeadReckoningMayBeOffByItsDrift) {
+  // After 50 s the odometer may say 50·0.03 = 1.5 m too much or too little.
+  const auto at = [](double travelled_m) {
+    return [=](Situation& s) { s.travelled_m = travelled_m, s.since_node_s = 50.0; };
+  };
+  expect_rows(overdue, {{"in time", false, at(8.09)}, {"late", true, at(8.11)}});
+  expect_rows(too_early, {{"early", true, at(1.89)}, {"in time", false, at(1.91)}});
+}
+
 TEST(Predicate, EachPhaseHasItsGoal) {
   Situation s = all_is_well();
   s.node_distance_m = 0.0;
