@@ -73,7 +73,7 @@ Curve::Curve(std::vector<CurvePiece> pieces) : pieces_(std::move(pieces)) {
   for (const CurvePiece& piece : pieces_) length_m_ += piece.length_m;
 }
 
-Curve Curve::line(Eigen::Vector2d from_W, Eigen::Vector2d to_W) {
+Curve Curve::line(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W) {
   return Curve({straight_piece(from_W, to_W)});
 }
 
@@ -85,7 +85,7 @@ Curve Curve::polyline(const std::vector<Eigen::Vector2d>& points_W) {
   return Curve(std::move(pieces));
 }
 
-Curve Curve::arc(Eigen::Vector2d from_W, Eigen::Vector2d to_W, Eigen::Vector2d centre_W,
+Curve Curve::arc(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W, const Eigen::Vector2d& centre_W,
                  bool counter_clockwise) {
   const Vector2d from = from_W - centre_W, to = to_W - centre_W;
   const double radius_m = from.norm();
@@ -108,7 +108,7 @@ CurvePoint Curve::at(double arc_length_m) const {
   return point_on(pieces_[i], std::min(s_m, pieces_[i].length_m));
 }
 
-CurveProjection Curve::project(Eigen::Vector2d p_W) const {
+CurveProjection Curve::project(const Eigen::Vector2d& p_W) const {
   if (pieces_.empty()) return {0.0, p_W.norm(), p_W.y()};
   CurveProjection best = project_on(pieces_.front(), p_W);
   double before_m = pieces_.front().length_m;

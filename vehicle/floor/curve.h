@@ -31,20 +31,20 @@ struct CurveProjection {
 class Curve {
  public:
   Curve() = default;
-  static Curve line(Eigen::Vector2d from_W, Eigen::Vector2d to_W);
+  static Curve line(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W);
   /// Throws std::invalid_argument for fewer than two points or two equal ones in a row.
   static Curve polyline(const std::vector<Eigen::Vector2d>& points_W);
   /// The circular arc from one point to another about a centre, counter-clockwise or clockwise; equal end
   /// points give a full circle. Throws std::invalid_argument when the radii differ by more than 1 mm or are
   /// zero.
-  static Curve arc(Eigen::Vector2d from_W, Eigen::Vector2d to_W, Eigen::Vector2d centre_W,
+  static Curve arc(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W, const Eigen::Vector2d& centre_W,
                    bool counter_clockwise);
 
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
   double length_m() const { return length_m_; }
   /// The point at an arc length, clamped to the curve.
   CurvePoint at(double arc_length_m) const;
-  CurveProjection project(Eigen::Vector2d p_W) const;
+  CurveProjection project(const Eigen::Vector2d& p_W) const;
 
  private:
   explicit Curve(std::vector<CurvePiece> pieces);

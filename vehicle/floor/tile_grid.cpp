@@ -18,8 +18,9 @@ std::size_t block(int i) {
 }
 
 PixelPoint pixel_of(int row, int column, int i) {
-  return {static_cast<double>(column * kTileWidth_px + i % kTileWidth_px),
-          static_cast<double>(row * kTileHeight_px + i / kTileWidth_px)};
+  const int x = column * kTileWidth_px + i % kTileWidth_px;
+  const int y = row * kTileHeight_px + i / kTileWidth_px;
+  return {static_cast<double>(x), static_cast<double>(y)};
 }
 
 RayRect rect_between(float x_min, float x_max, float y_min, float y_max) {

@@ -1,0 +1,57 @@
+#include "apps/cli/evaluate_junctions_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "apps/cli/program.h"
+#include "apps/evaluate/junction_report.h"
+#include "apps/output/result_folder.h"
+
+namespace lineservo::apps {
+namespace {
+
+struct Arguments {
+  std::uint64_t seed = 1;
+  std::optional<std::string> out;
+  bool json = false;
+};
+
+void show_progress(std::size_t done, std::size_t all) {
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\revaluate junctions: case {} of {} ", done + 1, all);
+}
+
+int evaluate(const Arguments& arguments) {
+  std::optional<ResultFolder> folder;
+  if (arguments.out) folder.emplace(*arguments.out);
+  std::vector<JunctionCase> cases = junction_cases(arguments.seed);
+  run(cases, show_progress);
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+  const std::string json = junction_json(cases).dump(2) + "\n";
+  if (folder) {
+    folder->write("evaluation.json", json);
+    folder->write("evaluation.csv", junction_csv(cases));
+    folder->publish();
+  }
+  fmt::print("{}", arguments.json ? json : junction_table(cases));
+  if (arguments.out && !arguments.json) fmt::print("\nwritten to {}\n", *arguments.out);
+  return kDone;
+}
+
+}  // namespace
+
+void add_evaluate_junctions_command(CLI::App& group, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  CLI::App* command = group.add_subcommand(
+      "junctions", "both recognisers along a03, a13, a23, a53 of warehouse and tape-warehouse");
+  command->add_option("--seed", a.seed, "seed of everything random (default 1)");
+  command->add_option("--out", a.out, "folder for evaluation.json and evaluation.csv");
+  command->add_flag("--json", a.json, "print evaluation.json instead of the table");
+  command->callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });
+}
+
+}  // namespace lineservo::apps
