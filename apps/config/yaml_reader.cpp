@@ -25,12 +25,18 @@ YAML::Node load(const std::filesystem::path& file) try {
   throw InputError(file.string() + ": cannot be read");
 } catch (const YAML::Exception& error) {
   throw InputError(file.string() + ":" + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
+} catch (const std::ios_base::failure&) {  // a folder
+  throw InputError(file.string() + ": cannot be read");
 }
 
-void refuse_double_keys(const YamlReader& reader, const YAML::Node& node) {
+/// Deeper than any file of ours; a node that holds itself by an alias has no bottom.
+constexpr int kDeepest = 32;
+
+void refuse_double_keys(const YamlReader& reader, const YAML::Node& node, int depth = 0) {
+  if (depth > kDeepest) reader.fail(node, "nested too deeply, or a part that holds itself");
   if (!node.IsMap()) {
     for (const auto& item : node) {
-      if (node.IsSequence()) refuse_double_keys(reader, item);
+      if (node.IsSequence()) refuse_double_keys(reader, item, depth + 1);
     }
     return;
   }
@@ -39,7 +45,7 @@ void refuse_double_keys(const YamlReader& reader, const YAML::Node& node) {
     if (!pair.first.IsScalar()) reader.fail(pair.first, "a key must be a word");
     if (!seen.insert(pair.first.Scalar()).second)
       reader.fail(pair.first, "key '" + pair.first.Scalar() + "' twice");
-    refuse_double_keys(reader, pair.second);
+    refuse_double_keys(reader, pair.second, depth + 1);
   }
 }
 
@@ -96,12 +102,14 @@ std::string YamlReader::text(const YAML::Node& map, const std::string& key,
   return map[key] ? text(map, key) : otherwise;
 }
 
-std::vector<double> YamlReader::numbers(const YAML::Node& map, const std::string& key, std::size_t count) const {
+std::vector<double> YamlReader::numbers(const YAML::Node& map, const std::string& key,
+                                        std::size_t count) const {
   if (!map[key]) fail(map, "key '" + key + "' is missing");
   return number_list(map[key], "key '" + key + "'", count);
 }
 
-std::vector<double> YamlReader::number_list(const YAML::Node& list, const std::string& what, std::size_t count) const {
+std::vector<double> YamlReader::number_list(const YAML::Node& list, const std::string& what,
+                                            std::size_t count) const {
   const std::string need = what + " must be a list of " + std::to_string(count) + " finite numbers";
   if (!list.IsSequence() || list.size() != count) fail(list, need);
   std::vector<double> values(count);
