@@ -114,6 +114,10 @@ struct Fault {
   std::string words;
 };
 
+void PrintTo(const Fault& fault, std::ostream* stream) {
+  *stream << fault.what;
+}
+
 std::vector<Fault> all_faults() {
   const auto nodes = [](const std::string& text) { return Text{.nodes = text}; };
   const auto edges = [](const std::string& text) { return Text{.edges = text}; };
@@ -132,12 +136,12 @@ std::vector<Fault> all_faults() {
        nodes("nodes:\n  - {name: p, x_m: 0, y_m: 0}\n  - {name: q, x_m: 1, y_m: 0}\n"
              "  - {name: p, x_m: 2, y_m: 0}"),
        5, "'p'"},
-      {"no edges", edges("edges:"), 3, "'edges' must be a list"},
+      {"no edges", edges("edges: []"), 3, "'edges' must be a list"},
       {"an unknown node", edges("edges: [{from: p, to: z}]"), 3, "'to' names no node: 'z'"},
       {"an edge of no length", edges("edges: [{from: p, to: p}]"), 3, ""},
       {"an edge through its own end", edges("edges: [{from: p, to: q, through: [[3, 4]]}]"), 3, ""},
       {"radii that differ", edges("edges: [{from: p, to: q, arc: {centre: [0, 4], direction: left}}]"), 3,
-       "radi"},
+       "same, positive distance"},
       {"an arc without direction", edges("edges: [{from: p, to: q, arc: {centre: [0, 4]}}]"), 3,
        "'direction' is missing"},
       {"an arc up", edges("edges: [{from: p, to: q, arc: {centre: [0, 4], direction: up}}]"), 3,

@@ -129,7 +129,8 @@ TEST_F(YamlReaderTest, AListOfNumbersHasItsLength) {
 }
 
 TEST_F(YamlReaderTest, AMapThatHoldsItselfIsRefused) {
-  EXPECT_THAT(complaint_about("a: &x\n  b: *x\n"), StartsWith(at(2)));
+  EXPECT_THAT(complaint_about("a: &x\n  b: *x\n"),
+              AllOf(StartsWith(folder_.path().string()), HasSubstr("holds itself")));
 }
 
 }  // namespace
