@@ -70,7 +70,8 @@ CodeTruth sure(JunctionCode code) {
 }
 
 /// The readings that are possible with one more arm: seen, not seen, or within the band of the limit both.
-std::vector<Arms> with_arm(const std::vector<Arms>& readings, bool Arms::*side, double seen_px, double band_px) {
+std::vector<Arms> with_arm(const std::vector<Arms>& readings, bool Arms::*side, double seen_px,
+                           double band_px) {
   const bool unsure = std::abs(seen_px - kVisible_px) <= band_px;
   std::vector<Arms> possible;
   for (Arms reading : readings) {
@@ -189,10 +190,9 @@ JunctionTruth::ArmSight JunctionTruth::sight(const Node& node, const Arm& arm, c
   static constexpr bool Arms::*kSides[] = {&Arms::forward, &Arms::left, &Arms::back, &Arms::right};
   const double relative_rad = features::wrap_angle(arm.heading_rad - view.heading_rad);
   const double quarter = std::round(relative_rad / (kPi / 2.0));
-  const bool has_name =
-      arm.straight && std::abs(relative_rad - quarter * kPi / 2.0) <= kArmTolerance_rad;
-  return {kSides[(static_cast<int>(quarter) + 4) % 4], extent(view.visible(beyond_node(node, arm, view))).minCoeff(),
-          has_name};
+  const bool has_name = arm.straight && std::abs(relative_rad - quarter * kPi / 2.0) <= kArmTolerance_rad;
+  return {kSides[(static_cast<int>(quarter) + 4) % 4],
+          extent(view.visible(beyond_node(node, arm, view))).minCoeff(), has_name};
 }
 
 JunctionTruth::Polygon JunctionTruth::beyond_node(const Node& node, const Arm& arm, const View& view) const {
