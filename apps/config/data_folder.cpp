@@ -34,8 +34,14 @@ fs::path data_root() {
 }
 
 std::vector<fs::path> shipped(DataKind kind) {
+  const fs::path folder = data_root() / folder_of(kind);
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw InputError(fmt::format("{}: is not a folder; LINESERVO_DATA must name the data folder of lineservo",
+                                 folder.string()));
+  }
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(data_root() / folder_of(kind))) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

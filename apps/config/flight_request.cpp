@@ -39,6 +39,20 @@ std::string where_is(const YamlReader& yaml, const YamlEntry& entry) {
   return fmt::format("{}:{}", yaml.file().string(), entry.line);
 }
 
+/// Double-quoted YAML: any name or path reads back as it was.
+std::string quoted(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    if (static_cast<unsigned char>(c) < 0x20) {
+      escaped += fmt::format("\\x{:02x}", static_cast<int>(c));
+    } else {
+      escaped += c;
+    }
+  }
+  return fmt::format("\"{}\"", escaped);
+}
+
 /// Writes "a.b: x" as nested maps, opening the groups that the key before did not have.
 class NestedWriter {
  public:
@@ -108,10 +122,10 @@ std::string config_text(const FlightRequest& request) {
   FlightRequest copy = request;
   NestedWriter writer;
   writer.add("version", std::string(kVersion));
-  writer.add("instruction", request.instruction);
-  writer.add("controller", request.controller);
-  writer.add("layout", request.layout);
-  writer.add("conditions", request.conditions);
+  writer.add("instruction", quoted(request.instruction));
+  writer.add("controller", quoted(request.controller));
+  writer.add("layout", quoted(request.layout));
+  writer.add("conditions", quoted(request.conditions));
   writer.add("seed", fmt::format("{}", request.seed));
   writer.add("land", request.land ? "true" : "false");
   const SettingsTable table(copy.settings);

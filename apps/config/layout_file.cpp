@@ -15,6 +15,10 @@ using vehicle::Layout;
 using vehicle::LayoutEdge;
 using vehicle::LayoutMarker;
 
+// As in vehicle::faults(), which does not know the line of the file.
+constexpr double kSmallestWidth_m = 0.005;
+constexpr double kLargestWidth_m = 2.0;
+
 struct LineStyle {
   double width_m = 0.36;
   Bgr colour = {0, 200, 230};
@@ -69,7 +73,10 @@ class LayoutBuilder {
                   const std::string& what) const {
     if (!map) return otherwise;
     yaml_.allow(map, keys, what);
-    return {yaml_.number(map, "width_m", otherwise.width_m), colour(map, "colour", otherwise.colour)};
+    const double width_m = yaml_.number(map, "width_m", otherwise.width_m);
+    if (width_m < kSmallestWidth_m || width_m > kLargestWidth_m)
+      yaml_.fail(map, "'width_m' of " + what + " must be 0.005 to 2");
+    return {width_m, colour(map, "colour", otherwise.colour)};
   }
 
   std::size_t node_index(const YAML::Node& map, const std::string& key) const {
@@ -88,8 +95,11 @@ class LayoutBuilder {
 
   void read_node(const YAML::Node& node) {
     yaml_.allow(node, {"name", "x_m", "y_m"}, "a node");
-    layout_.nodes.push_back(
-        {yaml_.text(node, "name"), {yaml_.number(node, "x_m"), yaml_.number(node, "y_m")}});
+    const std::string name = yaml_.text(node, "name");
+    for (const vehicle::LayoutNode& other : layout_.nodes) {
+      if (other.name == name) yaml_.fail(node, "node '" + name + "' stands twice");
+    }
+    layout_.nodes.push_back({name, {yaml_.number(node, "x_m"), yaml_.number(node, "y_m")}});
   }
 
   void read_edge(const YAML::Node& map) {
@@ -136,7 +146,7 @@ class LayoutBuilder {
     yaml_.allow(start, {"node", "marker_radius_m", "marker_colour"}, "start");
     layout_.start = node_index(start, "node");
     const double radius_m = yaml_.number(start, "marker_radius_m", 0.0);
-    if (radius_m > 0.0) add_marker(layout_.start_markers, layout_.start, radius_m, start, "marker_colour");
+    if (radius_m != 0.0) add_marker(layout_.start_markers, layout_.start, radius_m, start, "marker_colour");
   }
 
   void read_end_marker(const YAML::Node& marker) {
@@ -162,7 +172,9 @@ class LayoutBuilder {
     for (const auto& pair : labels) {
       try {
         const std::string dif = servo::to_string(servo::parse_dif(pair.first.Scalar()));
-        layout_.labels[dif] = node_index(labels, pair.first.Scalar());
+        const std::size_t node = node_index(labels, pair.first.Scalar());
+        if (!layout_.labels.emplace(dif, node).second)
+          yaml_.fail(pair.first, "label " + dif + " stands twice");
       } catch (const std::invalid_argument& error) {
         yaml_.fail(pair.first, error.what());
       }

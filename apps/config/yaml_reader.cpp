@@ -27,12 +27,18 @@ YAML::Node load(const std::filesystem::path& file) try {
   throw InputError(file.string() + ": cannot be read");
 } catch (const YAML::Exception& error) {
   throw InputError(file.string() + ":" + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
+} catch (const std::ios_base::failure&) {  // a folder
+  throw InputError(file.string() + ": cannot be read");
 }
 
-void refuse_double_keys(const YamlReader& reader, const YAML::Node& node) {
+/// Deeper than any file of ours; a node that holds itself by an alias has no bottom.
+constexpr int kDeepest = 32;
+
+void refuse_double_keys(const YamlReader& reader, const YAML::Node& node, int depth = 0) {
+  if (depth > kDeepest) reader.fail(node, "nested too deeply, or a part that holds itself");
   if (!node.IsMap()) {
     for (const auto& item : node) {
-      if (node.IsSequence()) refuse_double_keys(reader, item);
+      if (node.IsSequence()) refuse_double_keys(reader, item, depth + 1);
     }
     return;
   }
@@ -41,7 +47,7 @@ void refuse_double_keys(const YamlReader& reader, const YAML::Node& node) {
     if (!pair.first.IsScalar()) reader.fail(pair.first, "a key must be a word");
     if (!seen.insert(pair.first.Scalar()).second)
       reader.fail(pair.first, "key '" + pair.first.Scalar() + "' twice");
-    refuse_double_keys(reader, pair.second);
+    refuse_double_keys(reader, pair.second, depth + 1);
   }
 }
 

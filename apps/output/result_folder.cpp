@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -13,8 +14,17 @@ namespace lineservo::apps {
 
 namespace fs = std::filesystem;
 
-ResultFolder::ResultFolder(const fs::path& folder)
-    : folder_(folder), suffix_(fmt::format(".part-{}", ::getpid())) {
+namespace {
+
+/// Unlike that of any other writer, in this process or another.
+std::string own_suffix() {
+  static std::atomic<int> writers = 0;
+  return fmt::format(".part-{}-{}", ::getpid(), ++writers);
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(const fs::path& folder) : folder_(folder), suffix_(own_suffix()) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw InputError(fmt::format("--out {}: cannot be made: {}", folder_.string(), error.message()));
@@ -45,6 +55,11 @@ void ResultFolder::write(const std::string& name, const std::string& content) {
 }
 
 void ResultFolder::publish() {
+  for (const std::string& name : names_) {  // before the first is renamed: all or nothing
+    std::error_code error;
+    if (fs::is_directory(folder_ / name, error))
+      throw InputError(fmt::format("{}: cannot be written: it is a folder", (folder_ / name).string()));
+  }
   for (const std::string& name : names_) {
     std::error_code error;
     fs::rename(aside(name), folder_ / name, error);

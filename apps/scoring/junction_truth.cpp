@@ -65,6 +65,28 @@ Eigen::Vector2d direction(double heading_rad) {
   return {std::cos(heading_rad), std::sin(heading_rad)};
 }
 
+CodeTruth sure(JunctionCode code) {
+  return {code, {code}, true};
+}
+
+/// The readings that are possible with one more arm: seen, not seen, or within the band of the limit both.
+std::vector<Arms> with_arm(const std::vector<Arms>& readings, bool Arms::*side, double seen_px,
+                           double band_px) {
+  const bool unsure = std::abs(seen_px - kVisible_px) <= band_px;
+  std::vector<Arms> possible;
+  for (Arms reading : readings) {
+    if (unsure || seen_px < kVisible_px) possible.push_back(reading);
+    reading.*side = true;
+    if (unsure || seen_px >= kVisible_px) possible.push_back(reading);
+  }
+  return possible;
+}
+
+/// By how many pixels the start marker's count may be off: a rim of the band's width.
+double marker_slack(int red, double band_px) {
+  return red == 0 ? 0.0 : band_px * 2.0 * std::sqrt(kPi * red) + 1.0;
+}
+
 }  // namespace
 
 /// The frame: from the floor to pixels of the 400×400 image.
@@ -106,6 +128,10 @@ struct JunctionTruth::View {
     return camera.parameters().fy_px / height_m * kFrame_px / camera.height_px();
   }
 };
+
+void CodeTruth::accept(JunctionCode c) {
+  if (!accepts(c)) accepted.push_back(c);
+}
 
 bool CodeTruth::accepts(JunctionCode c) const {
   return std::find(accepted.begin(), accepted.end(), c) != accepted.end();
@@ -160,54 +186,54 @@ bool JunctionTruth::edge_in_view(const View& view) const {
   return vehicle::distance_to_paint_m(layout_, view.below_W) < half_view_m;
 }
 
+JunctionTruth::ArmSight JunctionTruth::sight(const Node& node, const Arm& arm, const View& view) const {
+  static constexpr bool Arms::*kSides[] = {&Arms::forward, &Arms::left, &Arms::back, &Arms::right};
+  const double relative_rad = features::wrap_angle(arm.heading_rad - view.heading_rad);
+  const double quarter = std::round(relative_rad / (kPi / 2.0));
+  const bool has_name = arm.straight && std::abs(relative_rad - quarter * kPi / 2.0) <= kArmTolerance_rad;
+  return {kSides[(static_cast<int>(quarter) + 4) % 4],
+          extent(view.visible(beyond_node(node, arm, view))).minCoeff(), has_name};
+}
+
+JunctionTruth::Polygon JunctionTruth::beyond_node(const Node& node, const Arm& arm, const View& view) const {
+  const Eigen::Vector2d along = direction(arm.heading_rad), across(-along.y(), along.x());
+  const double reach_m = std::max(std::min(arm.length_m, 2.0 * view.reach_m()), node.half_square_m);
+  const Eigen::Vector2d near = node.p_W + node.half_square_m * along;
+  const Eigen::Vector2d far = node.p_W + reach_m * along;
+  const Eigen::Vector2d side = 0.5 * arm.width_m * across;
+  return {near + side, near - side, far - side, far + side};
+}
+
+CodeTruth JunctionTruth::of_node(const Node& node, const View& view, double band_px) const {
+  CodeTruth truth;
+  truth.scored = true;
+  Arms certain;
+  std::vector<Arms> readings = {Arms{}};
+  for (const Arm& arm : node.arms) {
+    const ArmSight seen = sight(node, arm, view);
+    truth.scored &= seen.has_name;
+    if (seen.seen_px >= kVisible_px) certain.*seen.side = true;
+    readings = with_arm(readings, seen.side, seen.seen_px, band_px);
+  }
+  truth.code = code_of(certain);
+  for (const Arms& reading : readings) truth.accept(code_of(reading));
+  return truth;
+}
+
+CodeTruth JunctionTruth::of_lines(const View& view, double band_px) const {
+  if (const Node* node = node_in_view(view)) return of_node(*node, view, band_px);
+  return sure(edge_in_view(view) ? JunctionCode::straight : JunctionCode::unrecognised);
+}
+
 CodeTruth JunctionTruth::at(const Eigen::Isometry3d& X_WB, double travel_m) const {
   const View view(camera_, X_WB);
   const double band_px = std::max(kBand_px, 0.5 * travel_m * view.pixels_a_metre());
-  CodeTruth truth;
-  truth.scored = true;
-  if (const int red = marker_pixels(view); red > 0) {
-    const double slack_px = band_px * 2.0 * std::sqrt(kPi * red) + 1.0;  // a rim of the band's width
-    if (red > features::kStartMarkerLimit_px) truth.code = JunctionCode::start;
-    if (red > features::kStartMarkerLimit_px + slack_px) {
-      truth.accepted = {JunctionCode::start};
-      return truth;
-    }
-    if (red > features::kStartMarkerLimit_px - slack_px) truth.accepted = {JunctionCode::start};
-  }
-  const Node* node = node_in_view(view);
-  if (!node) {
-    const JunctionCode code = edge_in_view(view) ? JunctionCode::straight : JunctionCode::unrecognised;
-    if (truth.accepted.empty()) truth.code = code;
-    truth.accepted.push_back(code);
-    return truth;
-  }
-  std::vector<Arms> readings = {Arms{}};
-  Arms certain;
-  for (const Arm& arm : node->arms) {
-    const double relative_rad = features::wrap_angle(arm.heading_rad - view.heading_rad);
-    const double quarter = std::round(relative_rad / (kPi / 2.0));
-    truth.scored &= arm.straight && std::abs(relative_rad - quarter * kPi / 2.0) <= kArmTolerance_rad;
-    const Eigen::Vector2d along = direction(arm.heading_rad), across(-along.y(), along.x());
-    const Eigen::Vector2d near = node->p_W + node->half_square_m * along;
-    const double reach_m = std::min(arm.length_m, 2.0 * view.reach_m());
-    const Eigen::Vector2d far = node->p_W + std::max(reach_m, node->half_square_m) * along;
-    const Eigen::Vector2d side = 0.5 * arm.width_m * across;
-    const double seen_px =
-        extent(view.visible({near + side, near - side, far - side, far + side})).minCoeff();
-    static constexpr bool Arms::*kSides[] = {&Arms::forward, &Arms::left, &Arms::back, &Arms::right};
-    bool Arms::*const side_of_view = kSides[(static_cast<int>(quarter) + 4) % 4];
-    if (seen_px >= kVisible_px) certain.*side_of_view = true;
-    const bool unsure = std::abs(seen_px - kVisible_px) <= band_px;
-    const std::size_t count = readings.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (unsure) readings.push_back(readings[i]);
-      if (unsure || seen_px >= kVisible_px) readings[i].*side_of_view = true;
-    }
-  }
-  if (truth.accepted.empty()) truth.code = code_of(certain);
-  for (const Arms& reading : readings) {
-    if (!truth.accepts(code_of(reading))) truth.accepted.push_back(code_of(reading));
-  }
+  const int red = marker_pixels(view);
+  const double slack = marker_slack(red, band_px);
+  if (red > features::kStartMarkerLimit_px + slack) return sure(JunctionCode::start);
+  CodeTruth truth = of_lines(view, band_px);
+  if (red > features::kStartMarkerLimit_px) truth.code = JunctionCode::start;
+  if (red > features::kStartMarkerLimit_px - slack) truth.accept(JunctionCode::start);
   return truth;
 }
 

@@ -19,6 +19,7 @@ struct CodeTruth {
 
   bool ambiguous() const { return accepted.size() > 1; }
   bool accepts(features::JunctionCode c) const;
+  void accept(features::JunctionCode c);
 };
 
 /// Tells the true code of a frame from the true pose and the layout, in the 400×400 frame.
@@ -40,8 +41,20 @@ class JunctionTruth {
     double half_square_m;
     std::vector<Arm> arms;
   };
+  /// How much of an arm is in view, and on which side of the vehicle.
+  struct ArmSight {
+    bool features::Arms::*side;
+    double seen_px;
+    bool has_name;  ///< straight and within 25° of forward, left, back or right
+  };
+  using Polygon = std::vector<Eigen::Vector2d>;
   struct View;
 
+  CodeTruth of_lines(const View& view, double band_px) const;
+  CodeTruth of_node(const Node& node, const View& view, double band_px) const;
+  ArmSight sight(const Node& node, const Arm& arm, const View& view) const;
+  /// The rectangle that an arm covers beyond the node's square.
+  Polygon beyond_node(const Node& node, const Arm& arm, const View& view) const;
   const Node* node_in_view(const View& view) const;
   int marker_pixels(const View& view) const;
   bool edge_in_view(const View& view) const;

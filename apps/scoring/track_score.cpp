@@ -53,15 +53,11 @@ class LegWalker {
   void take(const TruthSample& s) {
     if (!begun_) begun_ = begin(s);
     if (!begun_ || is_over(s)) return;
-    const bool turning = is_turning(s);
-    if (turning &&
-        std::abs(wrap_angle(s.heading_rad - route_.legs[leg_ + 1].start_heading_rad)) < kTurnEnds_rad) {
+    if (ends_leg(s)) {
       ++leg_;
       leg_began_ = s.t;
-      add(s, false);
-      return;
     }
-    add(s, turning);
+    add(s, is_turning(s));
   }
 
   TrackScore score() const {
@@ -94,6 +90,14 @@ class LegWalker {
     const bool last = leg_ + 1 >= route_.legs.size();
     return !last && (s.phase == Phase::turn || s.phase == Phase::dock) &&
            s.step == route_.closing_steps[leg_];
+  }
+
+  /// The turn has come within 3° of the next edge, or the plan has gone on all the same.
+  bool ends_leg(const TruthSample& s) const {
+    if (leg_ + 1 >= route_.legs.size()) return false;
+    if (s.step > route_.closing_steps[leg_]) return true;
+    const double off_rad = wrap_angle(s.heading_rad - route_.legs[leg_ + 1].start_heading_rad);
+    return is_turning(s) && std::abs(off_rad) < kTurnEnds_rad;
   }
 
   void add(const TruthSample& s, bool turning) {

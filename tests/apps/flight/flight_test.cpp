@@ -1,0 +1,231 @@
+#include "apps/flight/flight.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/output/flight_tables.h"
+#include "apps/output/sha256.h"
+#include "tests/apps/flight/test_flight.h"
+#include "tests/apps/test_files.h"
+
+namespace lineservo::apps {
+namespace {
+
+using servo::Phase;
+using testing::Flown;
+using testing::fly;
+using testing::plan_on;
+using testing::request_for;
+using testing::shipped_layout;
+
+/// A corner 1.2 m ahead with the next one 1.2 m to the left: a short flight with a turn.
+vehicle::Layout small_floor() {
+  vehicle::Layout floor;
+  floor.name = "small";
+  floor.nodes = {{"p", {0, 0}}, {"q", {1.2, 0}}, {"r", {1.2, 1.2}}, {"s", {0, 1.2}}};
+  for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}})
+    floor.edges.push_back(
+        testing::straight_edge(floor, static_cast<std::size_t>(from), static_cast<std::size_t>(to), 0.1));
+  return floor;
+}
+
+Flown fly_small(std::uint64_t seed = 1) {
+  return fly(request_for("node:r", "ideal", seed), small_floor(), small_floor());
+}
+
+TEST(Flight, TheSameSeedIsTheSameFlightToTheLastBit) {
+  EXPECT_EQ(fly_small().summary.trajectory_sha256, fly_small().summary.trajectory_sha256);
+}
+
+TEST(Flight, AnotherSeedIsAnotherFlight) {
+  EXPECT_NE(fly_small(1).summary.trajectory_sha256, fly_small(2).summary.trajectory_sha256);
+}
+
+TEST(Flight, AConfigThatWasReadBackRepeatsIt) {
+  const testing::TempFolder temp;
+  const FlightRequest request = request_for("node:r", "paper", 3);
+  const FlightRequest again = read_config(temp.write("config.yaml", config_text(request)));
+  EXPECT_EQ(fly(again, small_floor(), small_floor()).summary.trajectory_sha256,
+            fly(request, small_floor(), small_floor()).summary.trajectory_sha256);
+}
+
+TEST(Flight, TruthIsSampledEveryTenMillisecondsWithoutGaps) {
+  const Flown flown = fly_small();
+  ASSERT_GT(flown.record.truth.size(), 100u);
+  for (std::size_t i = 1; i < flown.record.truth.size(); ++i)
+    ASSERT_EQ(flown.record.truth[i].t - flown.record.truth[i - 1].t, kTruthPeriod);
+}
+
+TEST(Flight, EveryTickHasTheExposureItsLatencyAgo) {
+  FlightRequest request = request_for("node:r", "paper");
+  const Flown flown = fly(request, small_floor(), small_floor());
+  ASSERT_GT(flown.record.ticks.size(), 50u);
+  for (const TickRecord& tick : flown.record.ticks) {
+    ASSERT_NEAR(vehicle::seconds(tick.t - tick.captured), 0.05, 0.006);
+    ASSERT_EQ(tick.at_capture.t, tick.captured);
+    ASSERT_TRUE(servo::is_finite(tick.command));
+  }
+}
+
+TEST(Flight, ItsPhasesComeInOrder) {
+  std::vector<Phase> phases;
+  for (const TruthSample& s : fly_small().record.truth)
+    if (phases.empty() || phases.back() != s.phase) phases.push_back(s.phase);
+  EXPECT_EQ(phases,
+            (std::vector<Phase>{Phase::take_off, Phase::align, Phase::follow, Phase::dock, Phase::turn,
+                                Phase::follow, Phase::dock, Phase::hover, Phase::finished}));
+}
+
+// Values in whole micrometres and microradians, so that another libm cannot flip the hash by a last bit.
+TEST(Flight, A13IsTheFlightThatItAlwaysWas) {
+  const Flown flown = fly(request_for("a13", "paper", 1));
+  std::string text;
+  for (const TruthSample& s : flown.record.truth) {
+    for (const double value : {s.p_WB.x(), s.p_WB.y(), s.p_WB.z(), s.roll_rad, s.pitch_rad, s.heading_rad})
+      text += std::to_string(std::llround(1e6 * value)) + ",";
+  }
+  EXPECT_EQ(sha256_hex(text), "golden");
+}
+
+class Mission : public ::testing::TestWithParam<std::tuple<const char*, std::uint64_t>> {};
+
+TEST_P(Mission, ArrivesOnTheNodeAndStaysOnTheLine) {
+  const Flown flown = fly(request_for(std::get<0>(GetParam()), "paper", std::get<1>(GetParam())));
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  EXPECT_LT(flown.summary.rest->target_error_m, 0.05);
+  for (const LegScore& leg : flown.summary.track.legs)
+    EXPECT_LT(leg.whole.rmse_m, 0.02) << leg.from << leg.to;
+  EXPECT_EQ(flown.summary.junctions.events_right, flown.summary.junctions.events);
+}
+INSTANTIATE_TEST_SUITE_P(Topology, Mission,
+                         ::testing::Combine(::testing::Values("a03", "a13", "a23", "a53"),
+                                            ::testing::Values(1u, 2u)));
+
+TEST(Flight, PidArrives) {
+  FlightRequest request = request_for("a13", "paper");
+  request.controller = "pid";
+  const Flown flown = fly(request);
+  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+}
+
+TEST(Flight, IdealAtHalfAMetreASecondArrives) {
+  FlightRequest request = request_for("a13", "ideal");
+  apply_override(request, "speed_m_s=0.5");
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  EXPECT_LT(flown.summary.rest->target_error_m, 0.05);
+  for (const LegScore& leg : flown.summary.track.legs) EXPECT_LT(leg.whole.rmse_m, 0.02);
+}
+
+TEST(Flight, StraightArrivesAtTheLinesEnd) {
+  FlightRequest request = request_for("node:end", "ideal");
+  request.layout = "straight";
+  const Flown flown = fly(request);
+  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+}
+
+TEST(Flight, BendArrivesAtTheLinesEnd) {
+  FlightRequest request = request_for("node:end", "ideal");
+  request.layout = "bend";
+  const Flown flown = fly(request);
+  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+}
+
+TEST(Flight, TapeWarehouseArrives) {
+  FlightRequest request = request_for("a13", "paper");
+  request.layout = "tape-warehouse";
+  const Flown flown = fly(request);
+  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+}
+
+TEST(Flight, LandEndsOnTheGround) {
+  FlightRequest request = request_for("node:r", "ideal");
+  request.land = true;
+  const Flown flown = fly(request, small_floor(), small_floor());
+  EXPECT_EQ(flown.summary.outcome, "landed") << story(flown);
+  EXPECT_LT(flown.record.truth.back().p_WB.z(), 0.1);
+  EXPECT_LT(flown.record.truth.back().v_W.norm(), 0.05);
+  EXPECT_LT((flown.record.truth.back().p_WB.head<2>() - flown.summary.target_W).norm(), 0.15);
+}
+
+/// The floor of the plan stretched: the node that the plan waits for does not come.
+TEST(Flight, AJunctionThatDoesNotComeEndsInALanding) {
+  vehicle::Layout longer = small_floor();
+  longer.nodes[1].p_W.x() = longer.nodes[2].p_W.x() = 4.0;
+  longer.edges[0] = testing::straight_edge(longer, 0, 1, 0.1);
+  longer.edges[1] = testing::straight_edge(longer, 1, 2, 0.1);
+  longer.edges[2] = testing::straight_edge(longer, 2, 3, 0.1);
+  const Flown flown = fly(request_for("node:r", "ideal"), small_floor(), longer);
+  EXPECT_EQ(flown.summary.outcome, "timeout") << story(flown);
+  EXPECT_EQ(flown.record.abort_reason, servo::AbortReason::node_overdue);
+  EXPECT_TRUE(flown.record.landed);
+  EXPECT_FALSE(flown.record.out_of_time);
+  EXPECT_LT(flown.summary.duration_s, 60.0);
+  EXPECT_FALSE(flown.summary.succeeded());
+}
+
+/// The line ends where the plan expects it to go on.
+TEST(Flight, ALineThatEndsTooSoonEndsInALanding) {
+  vehicle::Layout shorter;
+  shorter.nodes = {{"p", {0, 0}}, {"q", {1.2, 0}}, {"r", {2.4, 0}}, {"s", {2.4, 1.2}}};
+  shorter.edges = {testing::straight_edge(shorter, 0, 1, 0.1), testing::straight_edge(shorter, 1, 2, 0.1),
+                   testing::straight_edge(shorter, 2, 3, 0.1)};
+  vehicle::Layout floor = shorter;
+  floor.edges.pop_back();
+  floor.edges.pop_back();
+  const servo::Plan plan = plan_on(shorter, "node:s");
+  const FlightRequest request = request_for("node:s", "ideal");
+  Flight flight(request, floor, plan);
+  const FlightRecord record = flight.run();
+  EXPECT_NE(record.abort_reason, servo::AbortReason::none);
+  EXPECT_TRUE(record.landed);
+  EXPECT_FALSE(record.crashed);
+  EXPECT_FALSE(record.out_of_time);
+}
+
+TEST(Flight, ABrokenOffFlightStillHasARecordAndASummary) {
+  const FlightRequest request = request_for("node:r", "ideal");
+  const vehicle::Layout floor = small_floor();
+  const servo::Plan plan = plan_on(floor, request.instruction);
+  Flight flight(request, floor, plan);
+  std::vector<double> reports_s;
+  const FlightRecord record = flight.run([&](const FlightProgress& p) {
+    reports_s.push_back(p.time_s);
+    return p.time_s < 4.0;
+  });
+  EXPECT_TRUE(record.interrupted);
+  ASSERT_GE(reports_s.size(), 4u);
+  EXPECT_NEAR(reports_s.back() - reports_s.front(), static_cast<double>(reports_s.size() - 1), 0.1);
+  EXPECT_NEAR(vehicle::seconds(record.truth.back().t), 4.0, 0.2);
+  EXPECT_EQ(summarise(request, floor, plan, record).outcome, "aborted");
+}
+
+TEST(Flight, TheTimeLimitEndsIt) {
+  FlightRequest request = request_for("node:r", "ideal");
+  apply_override(request, "time_limit_s=3");
+  const Flown flown = fly(request, small_floor(), small_floor());
+  EXPECT_TRUE(flown.record.out_of_time);
+  EXPECT_EQ(flown.summary.outcome, "timeout");
+  EXPECT_NEAR(flown.summary.duration_s, 3.0, 0.05);
+}
+
+TEST(Flight, StartsWithinItsSpreadOfTheStartNodeAndFacesTheFirstEdge) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    FlightRequest request = request_for("a03", "ideal", seed);
+    apply_override(request, "time_limit_s=1");
+    const TruthSample& first = fly(request).record.truth.front();
+    EXPECT_LE(std::abs(first.p_WB.x() - 0.6), 0.1001);
+    EXPECT_LE(std::abs(first.p_WB.y() - 0.6), 0.1001);
+    EXPECT_LE(std::abs(first.heading_rad - 1.5707963), 5.01 * 0.017453293);
+  }
+}
+
+TEST(Flight, AnUnknownControllerIsRefused) {
+  FlightRequest request = request_for("node:r", "ideal");
+  request.controller = "magic";
+  EXPECT_THROW(fly(request, small_floor(), small_floor()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lineservo::apps

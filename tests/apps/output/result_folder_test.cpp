@@ -1,0 +1,147 @@
+#include "apps/output/result_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "tests/apps/test_files.h"
+
+namespace lineservo::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::complaint;
+using ::testing::HasSubstr;
+using testing::read_text;
+using testing::TempFolder;
+
+/// No file may grow beyond so many bytes: what a full disk does to a writer.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    signal_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, signal_);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*signal_)(int) = SIG_DFL;
+};
+
+TEST(ResultFolder, MakesTheFolderAndPublishesEveryFile) {
+  const TempFolder temp;
+  ResultFolder folder(temp.path() / "a/b");
+  folder.write("one.txt", "1\n");
+  folder.write("two.bin", std::string("\0\xff\n", 3));
+  folder.publish();
+  EXPECT_EQ(read_text(temp.path() / "a/b/one.txt"), "1\n");
+  EXPECT_EQ(read_text(temp.path() / "a/b/two.bin"), std::string("\0\xff\n", 3));
+  EXPECT_EQ(std::distance(fs::directory_iterator(temp.path() / "a/b"), {}), 2);
+}
+
+TEST(ResultFolder, ShowsNothingUnderItsNameBeforeItIsPublished) {
+  const TempFolder temp;
+  ResultFolder folder(temp.path());
+  folder.write("one.txt", "1\n");
+  EXPECT_FALSE(fs::exists(temp.path() / "one.txt"));
+}
+
+TEST(ResultFolder, WhatWasAbandonedLeavesNothing) {
+  const TempFolder temp;
+  {
+    ResultFolder folder(temp.path());
+    folder.write("one.txt", "1\n");
+    folder.write("two.txt", "2\n");
+  }
+  EXPECT_EQ(temp.count(), 0u);
+}
+
+TEST(ResultFolder, WhatWasAbandonedLeavesEarlierResultsAsTheyWere) {
+  const TempFolder temp;
+  temp.write("one.txt", "before\n");
+  {
+    ResultFolder folder(temp.path());
+    folder.write("one.txt", "after\n");
+  }
+  EXPECT_EQ(read_text(temp.path() / "one.txt"), "before\n");
+}
+
+TEST(ResultFolder, PublishingReplacesEarlierResults) {
+  const TempFolder temp;
+  temp.write("one.txt", "before, and longer\n");
+  ResultFolder folder(temp.path());
+  folder.write("one.txt", "after\n");
+  folder.publish();
+  EXPECT_EQ(read_text(temp.path() / "one.txt"), "after\n");
+}
+
+TEST(ResultFolder, AFileInThePlaceOfTheFolderIsRefused) {
+  const TempFolder temp;
+  const fs::path file = temp.write("f", "x");
+  EXPECT_THAT(complaint([&] { ResultFolder{file}; }), HasSubstr("--out " + file.string()));
+  EXPECT_THAT(complaint([&] { ResultFolder{file / "g"}; }), HasSubstr("--out " + (file / "g").string()));
+  EXPECT_EQ(read_text(file), "x");
+}
+
+TEST(ResultFolder, AFolderThatCannotBeMadeIsRefused) {
+  EXPECT_THAT(complaint([] { ResultFolder{"/proc/lineservo/out"}; }),
+              AllOf(HasSubstr("--out /proc/lineservo/out"), HasSubstr("cannot be made")));
+  EXPECT_THAT(complaint([] { ResultFolder{""}; }), HasSubstr("--out"));
+}
+
+TEST(ResultFolder, AFullDiskIsOneErrorAndLeavesNothing) {
+  const TempFolder temp;
+  std::string message;
+  {
+    const SmallDisk disk(4096);
+    message = complaint([&] {
+      ResultFolder folder(temp.path());
+      folder.write("small.txt", "1\n");
+      folder.write("large.txt", std::string(100000, 'x'));
+      folder.publish();
+    });
+  }
+  EXPECT_THAT(message, AllOf(HasSubstr("large.txt"), HasSubstr("cannot be written")));
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+  EXPECT_EQ(temp.count(), 0u);
+}
+
+TEST(ResultFolder, AFolderInThePlaceOfAFilePublishesNothing) {
+  const TempFolder temp;
+  fs::create_directories(temp.path() / "two.txt/inside");
+  const std::string message = complaint([&] {
+    ResultFolder folder(temp.path());
+    folder.write("one.txt", "1\n");
+    folder.write("two.txt", "2\n");
+    folder.publish();
+  });
+  EXPECT_THAT(message, AllOf(HasSubstr("two.txt"), HasSubstr("cannot be written")));
+  EXPECT_EQ(temp.count(), 1u);
+}
+
+TEST(ResultFolder, TwoWritersDoNotMixHalfFiles) {
+  const TempFolder temp;
+  ResultFolder first(temp.path()), second(temp.path());
+  const std::string a(100000, 'a'), b(50000, 'b');
+  first.write("one.txt", a);
+  second.write("one.txt", b);
+  first.publish();
+  EXPECT_TRUE(read_text(temp.path() / "one.txt") == a);
+  second.publish();
+  EXPECT_TRUE(read_text(temp.path() / "one.txt") == b);
+  EXPECT_EQ(temp.count(), 1u);
+}
+
+}  // namespace
+}  // namespace lineservo::apps
