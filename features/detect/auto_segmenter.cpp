@@ -11,7 +11,8 @@ namespace lineservo::features {
 namespace {
 
 constexpr double kFullQuantile = 0.995;  // a line covers more of the image than the rest
-constexpr double kPlainFull = 0.35;      // full contrast of paint that nobody can miss, 1 = 255
+constexpr double kPlain = 0.35;          // full contrast of paint that nobody can miss, 1 = 255
+constexpr double kPlainBlack = 0.55;     // and of black: shadows reach 0.5
 constexpr double kLevels = 255.0;
 
 bool is_hue(LineColor color) {
@@ -76,18 +77,29 @@ std::optional<ColorChoice> AutoSegmenter::best_of(LineColor color, const cv::Mat
 
 void AutoSegmenter::try_thresholds(LineColor color, const cv::Mat& contrast, ImageLineFinder& finder,
                                    std::optional<ColorChoice>& best) const {
-  const double full = full_contrast(contrast);
-  if (full < kLevels * (is_hue(color) ? options_.least_hue_contrast : options_.least_lightness_contrast))
-    return;
-  const double trust =
-      (is_hue(color) ? 1.0 : options_.lightness_trust) * std::min(1.0, full / (kLevels * kPlainFull));
+  const PaintContrast paint{contrast, full_contrast(contrast), least_width(color)};
+  if (paint.full < kLevels * least_contrast(color)) return;
   for (const double threshold : options_.thresholds) {
-    PackedMask mask = thresholded(contrast, threshold * full);
+    PackedMask mask = thresholded(contrast, threshold * paint.full);
     ImageLines seen = finder.find(mask);
-    const double evidence = trust * mask_evidence(mask, seen, contrast, full, finder.geometry());
+    const double evidence = trust(color, paint.full) * judge(mask, paint, finder.geometry(), seen);
     if (evidence < std::max(options_.min_evidence, best ? best->evidence : 0.0)) continue;
     best = ColorChoice{color, evidence, std::move(mask), std::move(seen)};
   }
+}
+
+double AutoSegmenter::least_contrast(LineColor color) const {
+  return is_hue(color) ? options_.least_hue_contrast : options_.least_lightness_contrast;
+}
+
+double AutoSegmenter::least_width(LineColor color) const {
+  if (is_hue(color)) return options_.least_hue_width;
+  return color == LineColor::white ? options_.least_white_width : options_.least_black_width;
+}
+
+double AutoSegmenter::trust(LineColor color, double full_contrast) const {
+  const double plain = color == LineColor::black ? kPlainBlack : kPlain;
+  return (is_hue(color) ? 1.0 : options_.lightness_trust) * std::min(1.0, full_contrast / (kLevels * plain));
 }
 
 }  // namespace lineservo::features

@@ -15,8 +15,11 @@ struct AutoSegmenterOptions {
   std::vector<double> thresholds = {0.3, 0.45, 0.6};  ///< of the full contrast
   double least_hue_contrast = 0.14;                   ///< below this nothing is painted in that hue
   double least_lightness_contrast = 0.18;             ///< below this nothing is painted lighter or darker
-  double lightness_trust = 0.85;                      ///< a line of a hue of its own goes before one without
-  double min_evidence = 0.2;                          ///< below this there is no line
+  double least_hue_width = 0.008;    ///< of a line with a hue of its own, in widths of the image
+  double least_white_width = 0.012;  ///< and of a white one
+  double least_black_width = 0.016;  ///< and of a black one: joints between tiles are black and narrower
+  double lightness_trust = 0.85;     ///< a line with a hue of its own goes before one without
+  double min_evidence = 0.3;         ///< below this there is no line
 };
 
 /// What was found to be paint.
@@ -47,6 +50,9 @@ class AutoSegmenter : public Segmenter {
 
  private:
   std::optional<ColorChoice> best_of(LineColor color, const cv::Mat& bgr, ImageLineFinder& finder) const;
+  double least_contrast(LineColor color) const;
+  double least_width(LineColor color) const;
+  double trust(LineColor color, double full_contrast) const;
   void try_thresholds(LineColor color, const cv::Mat& contrast, ImageLineFinder& finder,
                       std::optional<ColorChoice>& best) const;
 

@@ -11,7 +11,8 @@ namespace lineservo::features {
 namespace {
 
 constexpr int kLeastSide_px = 16;
-constexpr double kGoodBeside = 0.7;  // lines of another paint are told when so sure, relative to the best
+constexpr double kSureBeside = 0.7;    // a line of another paint is told when it is so sure by itself
+constexpr double kWidestBeside = 2.5;  // and no wider than so many of the widest of the chosen paint
 
 /// From mask pixels to pixels of the image; the resize keeps the corners of the pixels.
 class ImageScale {
@@ -49,6 +50,24 @@ bool is_among(const std::vector<PixelLine>& lines, const PixelLine& line) {
     return apart < other.width_px + line.width_px &&
            std::abs(std::remainder(other.theta_rad - line.theta_rad, kPi)) < radians(15.0);
   });
+}
+
+double widest_px(const std::vector<PixelLine>& lines) {
+  double widest = 0.0;
+  for (const PixelLine& line : lines) widest = std::max(widest, line.width_px);
+  return widest;
+}
+
+/// The lines besides those of the chosen paint, such as white ones beside a yellow one.
+void add_other_paints(const std::vector<ColorChoice>& paints, const MaskGeometry& geometry,
+                      const ImageScale& scale, std::vector<PixelLine>& lines) {
+  const double widest = kWidestBeside * widest_px(lines);
+  for (std::size_t k = 1; k < paints.size(); ++k) {
+    for (const ImageLine& line : paints[k].seen.lines) {
+      const PixelLine px = in_image(line, geometry, scale);
+      if (line.evidence >= kSureBeside && px.width_px <= widest && !is_among(lines, px)) lines.push_back(px);
+    }
+  }
 }
 
 }  // namespace
@@ -89,13 +108,9 @@ ImageDetection ImageDetector::detect(const cv::Mat& image) const {
   const MaskProfile profile = profile_of(best.mask);
   detection.foreground_ratio = foreground_ratio(profile);
   if (const auto centre = centroid(profile)) detection.centroid_px = scale(*centre);
-  for (const ColorChoice& paint : paints) {
-    if (paint.evidence < kGoodBeside * best.evidence) break;
-    for (const ImageLine& line : options_.method->find(paint, geometry)) {
-      const PixelLine px = in_image(line, geometry, scale);
-      if (&paint == &best || !is_among(detection.lines, px)) detection.lines.push_back(px);
-    }
-  }
+  for (const ImageLine& line : options_.method->find(best, geometry))
+    detection.lines.push_back(in_image(line, geometry, scale));
+  add_other_paints(paints, geometry, scale, detection.lines);
   return detection;
 }
 

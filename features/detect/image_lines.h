@@ -17,6 +17,7 @@ struct ImageLine {
   Wedge wedge;
   double begin = 0.0, end = 0.0;  ///< of StripeAxes; end is forward
   double quality = 0.0;           ///< share of its visible border that a straight wedge explains, 0…1
+  double evidence = 0.0;          ///< how much it looks painted, 0…1, once it has been judged
 
   double length() const { return end - begin; }
   LevelPoint at(double along) const {
