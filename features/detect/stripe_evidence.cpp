@@ -7,7 +7,7 @@
 namespace lineservo::features {
 namespace {
 
-constexpr double kLeastShare = 0.002, kLargestShare = 0.65;  // of the image that is paint
+constexpr double kLeastShare = 0.002, kLargestShare = 0.55;  // of the image that is paint
 constexpr double kLongEnough = 0.5;    // of the image's shorter side
 constexpr double kSlender = 2.0;       // length over width
 constexpr double kBeside = 0.02;       // of the image's shorter side, from a border, where contrast is looked at

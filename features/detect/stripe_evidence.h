@@ -26,7 +26,7 @@ double explained_share(const PackedMask& mask, const std::vector<ImageLine>& lin
 
 /// Weighs every line, drops those that are not credible, and says how much the mask looks like painted lines
 /// and nothing else: evidence of its best line and some of the others', times what the lines explain of it;
-/// 0 where paint covers less than 0.2 % or more than 65 %.
+/// 0 where paint covers less than 0.2 % or more than 55 %.
 double judge(const PackedMask& mask, const PaintContrast& paint, const MaskGeometry& geometry,
              ImageLines& seen);
 
