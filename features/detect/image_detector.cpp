@@ -18,16 +18,35 @@ constexpr double kWidestBeside = 2.5;  // and no wider than so many of the wides
 class ImageScale {
  public:
   ImageScale(cv::Size image, const MaskGeometry& mask)
-      : x_(static_cast<double>(image.width) / mask.width_px()),
+      : image_(image),
+        x_(static_cast<double>(image.width) / mask.width_px()),
         y_(static_cast<double>(image.height) / mask.height_px()) {}
+
+  cv::Size image() const { return image_; }
 
   PixelPoint operator()(PixelPoint mask_px) const {
     return {(mask_px.x + 0.5) * x_ - 0.5, (mask_px.y + 0.5) * y_ - 0.5};
   }
 
  private:
+  cv::Size image_;
   double x_, y_;
 };
+
+/// The part of a segment whose pixels are in the image; the segment must cross it.
+void clip(PixelPoint& from, PixelPoint& to, cv::Size image) {
+  const auto keep_inside = [](double& x, double& y, double to_x, double to_y, double low, double high) {
+    const double bound = std::clamp(x, low, high);
+    if (bound == x || x == to_x) return;
+    y += (bound - x) / (to_x - x) * (to_y - y);
+    x = bound;
+  };
+  for (int way = 0; way < 2; ++way) {
+    keep_inside(from.x, from.y, to.x, to.y, -0.5, image.width - 0.5);
+    keep_inside(from.y, from.x, to.y, to.x, -0.5, image.height - 0.5);
+    std::swap(from, to);
+  }
+}
 
 PixelLine in_image(const ImageLine& line, const MaskGeometry& geometry, const ImageScale& scale) {
   const auto image_px = [&](double along, double across) {
@@ -35,6 +54,7 @@ PixelLine in_image(const ImageLine& line, const MaskGeometry& geometry, const Im
     return scale(geometry.project({p.x(), p.y()}));
   };
   PixelLine px = pixel_line(image_px(line.begin, 0.0), image_px(line.end, 0.0));
+  clip(px.begin, px.end, scale.image());
   const double middle = 0.5 * (line.begin + line.end), half = 0.5 * line.width_at(middle);
   const PixelPoint left = image_px(middle, -half), right = image_px(middle, half);
   px.width_px = std::hypot(right.x - left.x, right.y - left.y);
