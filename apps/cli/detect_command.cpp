@@ -77,8 +77,9 @@ void add_detect_command(CLI::App& app, int& exit_code) {
   command->add_option("--method", arguments->method, "how lines are found")->capture_default_str();
   command->add_option("--color", arguments->color, "of the line: yellow, red, white, black or auto")
       ->capture_default_str();
-  command->add_option("--camera", arguments->camera, "YAML file of the camera; without one the picture is taken "
-                                                     "as seen straight down, without a lens");
+  command->add_option("--camera", arguments->camera,
+                      "YAML file of the camera; without one the picture is taken "
+                      "as seen straight down, without a lens");
   command->add_flag("--json", arguments->json, "one JSON object a line for each image");
   command->callback([arguments, &exit_code] { exit_code = detect(*arguments); });
 }

@@ -36,9 +36,10 @@ void train(const TrainArguments& arguments) {
   const auto samples = color_samples(*color, arguments.samples, arguments.seed);
   const auto svm = features::ColorSvm::trained(samples);
   write_file(arguments.out, svm.to_text());
-  const auto right = std::count_if(samples.begin(), samples.end(), [&svm](const features::ColorSample& sample) {
-    return (svm.decision(sample.bgr) > 0.0) == sample.is_paint;
-  });
+  const auto right =
+      std::count_if(samples.begin(), samples.end(), [&svm](const features::ColorSample& sample) {
+        return (svm.decision(sample.bgr) > 0.0) == sample.is_paint;
+      });
   fmt::print("{}: {} of {} colours told right\n", arguments.out, right, samples.size());
 }
 

@@ -29,10 +29,10 @@ void read_focal(const YamlReader& yaml, features::CameraParameters& camera) {
 features::CameraParameters read_camera(const std::filesystem::path& file) {
   const YamlReader yaml(file);
   const YAML::Node& root = yaml.root();
-  yaml.allow(root,
-             {"width_px", "height_px", "focal_px", "fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2",
-              "k3"},
-             "a camera");
+  yaml.allow(
+      root,
+      {"width_px", "height_px", "focal_px", "fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2", "k3"},
+      "a camera");
   features::CameraParameters camera;
   camera.width_px = whole_number(yaml, "width_px");
   camera.height_px = whole_number(yaml, "height_px");

@@ -10,9 +10,9 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json to_json(const features::PixelLine& line) {
-  return {{"rho_px", line.rho_px},   {"theta_deg", features::degrees(line.theta_rad)},
-          {"x1", line.begin.x},      {"y1", line.begin.y},
-          {"x2", line.end.x},        {"y2", line.end.y},
+  return {{"rho_px", line.rho_px},     {"theta_deg", features::degrees(line.theta_rad)},
+          {"x1", line.begin.x},        {"y1", line.begin.y},
+          {"x2", line.end.x},          {"y2", line.end.y},
           {"width_px", line.width_px}, {"quality", line.quality}};
 }
 
@@ -65,8 +65,8 @@ std::string to_text(const DetectionReport& report) {
                         "to (px)", "width", "quality");
   for (const features::PixelLine& line : seen.lines)
     text += fmt::format("  {:>9.1f} {:>10.2f}  {:>8.1f},{:>7.1f}  {:>8.1f},{:>7.1f} {:>9.1f} {:>8.2f}\n",
-                        line.rho_px, features::degrees(line.theta_rad), line.begin.x, line.begin.y, line.end.x,
-                        line.end.y, line.width_px, line.quality);
+                        line.rho_px, features::degrees(line.theta_rad), line.begin.x, line.begin.y,
+                        line.end.x, line.end.y, line.width_px, line.quality);
   return text;
 }
 

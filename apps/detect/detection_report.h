@@ -10,7 +10,7 @@ namespace lineservo::apps {
 
 /// What `detect` says of one image: a detection, or what was wrong with the image.
 struct DetectionReport {
-  std::string image;   ///< as typed
+  std::string image;  ///< as typed
   std::string method;
   int width_px = 0, height_px = 0;
   features::ImageDetection detection;

@@ -17,7 +17,8 @@ using Decode = bool (*)(const unsigned char* bytes, std::size_t size, cv::Mat* i
 Decode load_decoder() {
   void* module = ::dlopen("liblineservo_image_codecs.so", RTLD_NOW | RTLD_LOCAL);
   void* symbol = module == nullptr ? nullptr : ::dlsym(module, "lineservo_decode_image");
-  if (symbol == nullptr) throw std::runtime_error(std::string("the image codecs do not load: ") + ::dlerror());
+  if (symbol == nullptr)
+    throw std::runtime_error(std::string("the image codecs do not load: ") + ::dlerror());
   return reinterpret_cast<Decode>(symbol);
 }
 

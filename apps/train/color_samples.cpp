@@ -45,10 +45,14 @@ Albedo brown(Random& random) {
 
 Albedo any_of_kind(LineColor color, Random& random) {
   switch (color) {
-    case LineColor::yellow: return yellow(random);
-    case LineColor::red: return red(random);
-    case LineColor::white: return grey(0.75, 0.98, random);
-    case LineColor::black: return grey(0.02, 0.1, random);
+    case LineColor::yellow:
+      return yellow(random);
+    case LineColor::red:
+      return red(random);
+    case LineColor::white:
+      return grey(0.75, 0.98, random);
+    case LineColor::black:
+      return grey(0.02, 0.1, random);
   }
   return {};
 }

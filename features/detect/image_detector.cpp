@@ -66,7 +66,8 @@ PixelLine in_image(const ImageLine& line, const MaskGeometry& geometry, const Im
 bool is_among(const std::vector<PixelLine>& lines, const PixelLine& line) {
   const double x = 0.5 * (line.begin.x + line.end.x), y = 0.5 * (line.begin.y + line.end.y);
   return std::any_of(lines.begin(), lines.end(), [&](const PixelLine& other) {
-    const double apart = std::abs(x * std::cos(other.theta_rad) + y * std::sin(other.theta_rad) - other.rho_px);
+    const double apart =
+        std::abs(x * std::cos(other.theta_rad) + y * std::sin(other.theta_rad) - other.rho_px);
     return apart < other.width_px + line.width_px &&
            std::abs(std::remainder(other.theta_rad - line.theta_rad, kPi)) < radians(15.0);
   });
@@ -135,8 +136,8 @@ ImageDetection ImageDetector::detect(const cv::Mat& image) const {
 }
 
 MaskGeometry ImageDetector::geometry_for(cv::Size image_size) const {
-  const double scale =
-      std::min(1.0, options_.longest_side_px / static_cast<double>(std::max(image_size.width, image_size.height)));
+  const double scale = std::min(
+      1.0, options_.longest_side_px / static_cast<double>(std::max(image_size.width, image_size.height)));
   const auto scaled = [scale](int side_px) {
     return std::max(kLeastSide_px, static_cast<int>(std::lround(scale * side_px)));
   };

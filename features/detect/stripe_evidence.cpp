@@ -8,12 +8,12 @@ namespace lineservo::features {
 namespace {
 
 constexpr double kLeastShare = 0.002, kLargestShare = 0.55;  // of the image that is paint
-constexpr double kLongEnough = 0.5;    // of the image's shorter side
-constexpr double kSlender = 2.0;       // length over width
-constexpr double kBeside = 0.02;       // of the image's shorter side, from a border, where contrast is looked at
-constexpr double kNoStep = 0.15;       // of the full contrast: so soft is no border
-constexpr double kFullStep = 0.6;      // so sharp is sharp enough
-constexpr double kCredible = 0.2;      // quality times sharpness of a line worth telling
+constexpr double kLongEnough = 0.5;                          // of the image's shorter side
+constexpr double kSlender = 2.0;                             // length over width
+constexpr double kBeside = 0.02;   // of the image's shorter side, from a border, where contrast is looked at
+constexpr double kNoStep = 0.15;   // of the full contrast: so soft is no border
+constexpr double kFullStep = 0.6;  // so sharp is sharp enough
+constexpr double kCredible = 0.2;  // quality times sharpness of a line worth telling
 constexpr double kUnexplained = 0.35;  // what is left of a mask of which the lines explain nothing
 constexpr double kOthers = 0.2;        // weight of the lines besides the best
 constexpr int kSections = 24;

@@ -13,8 +13,8 @@ constexpr double kFacing = 0.94;      // cos 20°: a border point must look the 
 constexpr double kFirstReach = 0.05;  // Tukey's cut-off at the start
 constexpr double kReachWidths = 0.2;  // and in widths of the stripe
 constexpr double kLeastReach = 0.008;
-constexpr double kTukey = 4.685;      // cut-off in σ for 95 % efficiency
-constexpr double kMargin = 0.02;      // points beyond the ends belong to caps
+constexpr double kTukey = 4.685;  // cut-off in σ for 95 % efficiency
+constexpr double kMargin = 0.02;  // points beyond the ends belong to caps
 constexpr int kIterations = 8;
 constexpr int kMinPoints = 12;
 
@@ -31,7 +31,8 @@ struct Range {
 
 // With a = along − at_along and the width w + c a, a border point on side ½ s (+ where the paint lies at
 // larger ρ) has r = p·n(θ) − ρ + ½ s (w + c a), so dr = p·n'(θ) dθ − dρ + ½ s dw + ½ s a dc.
-Sums accumulate(const std::vector<BorderPoint>& points, const Wedge& wedge, const Range& range, double reach) {
+Sums accumulate(const std::vector<BorderPoint>& points, const Wedge& wedge, const Range& range,
+                double reach) {
   Sums sums;
   const Eigen::Vector2d n = wedge.course.normal(), forward = wedge.course.forward();
   for (const BorderPoint& point : points) {

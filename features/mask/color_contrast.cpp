@@ -7,9 +7,9 @@
 namespace lineservo::features {
 namespace {
 
-constexpr int kShrink = 4;         // the floor is looked for in an image so much smaller
-constexpr int kDarkest = 24;       // below this level a ratio says nothing
-constexpr int kPalest = 48;        // below this level a hue says nothing
+constexpr int kShrink = 4;           // the floor is looked for in an image so much smaller
+constexpr int kDarkest = 24;         // below this level a ratio says nothing
+constexpr int kPalest = 48;          // below this level a hue says nothing
 constexpr double kFloorShare = 0.4;  // quantile that is floor as long as paint covers no more than 60 %
 
 bool is_hue(LineColor color) {

@@ -26,7 +26,8 @@ cv::Mat cone_point(cv::Vec3b bgr) {
 // The raw output is positive for the class that the training met first, which the file does not say.
 double sign_of(const cv::ml::SVM& machine) {
   const cv::Mat somewhere = cone_point({0, 255, 255});
-  const bool raw_is_positive = machine.predict(somewhere, cv::noArray(), cv::ml::StatModel::RAW_OUTPUT) > 0.0f;
+  const bool raw_is_positive =
+      machine.predict(somewhere, cv::noArray(), cv::ml::StatModel::RAW_OUTPUT) > 0.0f;
   const bool is_paint = machine.predict(somewhere) > 0.0f;
   return raw_is_positive == is_paint ? 1.0 : -1.0;
 }

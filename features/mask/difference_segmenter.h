@@ -12,7 +12,8 @@ struct DifferenceOptions {
   int erosion_px = 8;          ///< side of the square, 1 for none
 };
 
-/// Red paint by channel difference: F = R − G / GG − B / GB (vtp eq. 1), thresholded, then eroded by a square.
+/// Red paint by channel difference: F = R − G / GG − B / GB (vtp eq. 1), thresholded, then eroded by a
+/// square.
 class DifferenceSegmenter : public Segmenter {
  public:
   /// Throws std::invalid_argument for options out of bounds.

@@ -5,10 +5,17 @@ namespace lineservo::features {
 SegmenterOptions hsv_preset(LineColor color) {
   SegmenterOptions options;
   switch (color) {
-    case LineColor::yellow: break;
-    case LineColor::red: options.path = options.marker[1]; break;  // with the marker's both sides of hue 0
-    case LineColor::white: options.path = {0, 180, 0, 60, 180, 255}; break;
-    case LineColor::black: options.path = {0, 180, 0, 255, 0, 70}; break;
+    case LineColor::yellow:
+      break;
+    case LineColor::red:
+      options.path = options.marker[1];
+      break;  // with the marker's both sides of hue 0
+    case LineColor::white:
+      options.path = {0, 180, 0, 60, 180, 255};
+      break;
+    case LineColor::black:
+      options.path = {0, 180, 0, 255, 0, 70};
+      break;
   }
   return options;
 }

@@ -6,10 +6,14 @@ namespace lineservo::features {
 
 std::string_view name(LineColor color) {
   switch (color) {
-    case LineColor::yellow: return "yellow";
-    case LineColor::red: return "red";
-    case LineColor::white: return "white";
-    case LineColor::black: return "black";
+    case LineColor::yellow:
+      return "yellow";
+    case LineColor::red:
+      return "red";
+    case LineColor::white:
+      return "white";
+    case LineColor::black:
+      return "black";
   }
   return "";
 }

@@ -8,8 +8,8 @@
 namespace lineservo::features {
 
 struct BoundaryOptions {
-  int band_px = 20;      ///< along all four edges of the image
-  int least_pixels = 20; ///< of a part: less is noise
+  int band_px = 20;       ///< along all four edges of the image
+  int least_pixels = 20;  ///< of a part: less is noise
 };
 
 /// Where the path enters and leaves the image, lfpf §3.3.2: W_i+1 is the upper one, W_i the lower one.

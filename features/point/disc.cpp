@@ -26,7 +26,8 @@ std::optional<PixelPoint> start_disc(const PackedMask& marker, int limit_px) {
 }
 
 std::optional<PixelPoint> end_disc(const PackedMask& path, int radius_px) {
-  if (radius_px < 1 || radius_px > 500) throw std::invalid_argument("end disc: the radius must be 1 to 500 px");
+  if (radius_px < 1 || radius_px > 500)
+    throw std::invalid_argument("end disc: the radius must be 1 to 500 px");
   cv::Mat eroded;
   cv::erode(path.to_mat(), eroded, disc(radius_px));
   return centroid(profile_of(PackedMask::from_mat(eroded)));

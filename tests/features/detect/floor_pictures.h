@@ -25,10 +25,14 @@ struct Scene {
 
 inline cv::Vec3d paint_of(LineColor color) {
   switch (color) {
-    case LineColor::yellow: return {40.0, 190.0, 225.0};
-    case LineColor::red: return {45.0, 40.0, 200.0};
-    case LineColor::white: return {225.0, 228.0, 230.0};
-    case LineColor::black: return {32.0, 30.0, 30.0};
+    case LineColor::yellow:
+      return {40.0, 190.0, 225.0};
+    case LineColor::red:
+      return {45.0, 40.0, 200.0};
+    case LineColor::white:
+      return {225.0, 228.0, 230.0};
+    case LineColor::black:
+      return {32.0, 30.0, 30.0};
   }
   return {};
 }
@@ -39,7 +43,8 @@ inline cv::Vec3d floor_for(LineColor color) {
 }
 
 inline double hashed(std::int64_t x, std::int64_t y, std::uint64_t seed) {
-  TestRandom random(seed + static_cast<std::uint64_t>(x * 73856093) + static_cast<std::uint64_t>(y * 19349663));
+  TestRandom random(seed + static_cast<std::uint64_t>(x) * 73856093u +
+                    static_cast<std::uint64_t>(y) * 19349663u);
   return random.uniform(-1.0, 1.0);
 }
 
@@ -53,7 +58,9 @@ inline double value_noise(double x, double y, std::uint64_t seed) {
 
 inline bool on_joint(const Eigen::Vector2d& p, double every_m) {
   if (every_m <= 0.0) return false;
-  const auto near = [every_m](double x) { return std::abs(std::remainder(x - 0.31 * every_m, every_m)) < 0.002; };
+  const auto near = [every_m](double x) {
+    return std::abs(std::remainder(x - 0.31 * every_m, every_m)) < 0.002;
+  };
   return near(p.x()) || near(p.y());
 }
 
@@ -64,18 +71,21 @@ inline double light_at(const Scene& scene, double u, double v) {
 }
 
 /// The picture that the camera of `geometry` takes at a pose.
-inline cv::Mat photograph(const MaskGeometry& geometry, const Pose& pose, const Floor& floor, const Scene& scene) {
+inline cv::Mat photograph(const MaskGeometry& geometry, const Pose& pose, const Floor& floor,
+                          const Scene& scene) {
   cv::Mat picture(geometry.height_px(), geometry.width_px(), CV_8UC3);
   TestRandom random(scene.seed);
   for_each_pixel(geometry, pose, [&](int x, int y, const Eigen::Vector2d& p) {
-    const double u = static_cast<double>(x) / geometry.width_px(), v = static_cast<double>(y) / geometry.height_px();
+    const double u = static_cast<double>(x) / geometry.width_px(),
+                 v = static_cast<double>(y) / geometry.height_px();
     cv::Vec3d color = floor.covers(p) ? scene.paint_bgr : scene.floor_bgr;
     if (!floor.covers(p)) {
       if (on_joint(p, scene.joints_every_m)) color *= 0.35;
       const double grain = scene.texture * value_noise(p.x() / 0.03, p.y() / 0.03, scene.seed);
       color += cv::Vec3d(grain, grain, grain);
     }
-    const double glare = 255.0 * scene.glare * std::exp(-30.0 * (std::pow(u - 0.25, 2) + std::pow(v - 0.75, 2)));
+    const double glare =
+        255.0 * scene.glare * std::exp(-30.0 * (std::pow(u - 0.25, 2) + std::pow(v - 0.75, 2)));
     for (int c = 0; c < 3; ++c) {
       const double level = color[c] * light_at(scene, u, v) + glare + scene.noise * random.uniform(-1.0, 1.0);
       picture.at<cv::Vec3b>(y, x)[c] = static_cast<std::uint8_t>(std::clamp(level, 0.0, 255.0));
