@@ -1,0 +1,15 @@
+// The one part of the program that links OpenCV's image codecs: they load GDAL and much else, which takes
+// longer than everything else at start. So it is a module that is loaded when the first image is read.
+
+#include <opencv2/imgcodecs.hpp>
+
+/// False when the bytes are not an image. 8 bits, one channel or three in BGR order.
+extern "C" __attribute__((visibility("default"))) bool lineservo_decode_image(const unsigned char* bytes,
+                                                                              std::size_t size,
+                                                                              cv::Mat* image) noexcept try {
+  const cv::Mat encoded(1, static_cast<int>(size), CV_8UC1, const_cast<unsigned char*>(bytes));
+  *image = cv::imdecode(encoded, cv::IMREAD_ANYCOLOR);
+  return !image->empty();
+} catch (...) {
+  return false;
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+
+namespace lineservo::apps {
+
+/// Reads an image file: CV_8UC1 or CV_8UC3 (BGR). Throws InputError when the file cannot be read, is empty,
+/// or is not an image. The codecs are loaded by the first call, not at start.
+cv::Mat read_image(const std::filesystem::path& file);
+
+}  // namespace lineservo::apps

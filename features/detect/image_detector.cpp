@@ -1,0 +1,154 @@
+#include "features/detect/image_detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "features/geometry/angles.h"
+#include "features/mask/mask_profile.h"
+
+namespace lineservo::features {
+namespace {
+
+constexpr int kLeastSide_px = 16;
+constexpr double kSureBeside = 0.7;    // a line of another paint is told when it is so sure by itself
+constexpr double kWidestBeside = 2.5;  // and no wider than so many of the widest of the chosen paint
+
+/// From mask pixels to pixels of the image; the resize keeps the corners of the pixels.
+class ImageScale {
+ public:
+  ImageScale(cv::Size image, const MaskGeometry& mask)
+      : image_(image),
+        x_(static_cast<double>(image.width) / mask.width_px()),
+        y_(static_cast<double>(image.height) / mask.height_px()) {}
+
+  cv::Size image() const { return image_; }
+
+  PixelPoint operator()(PixelPoint mask_px) const {
+    return {(mask_px.x + 0.5) * x_ - 0.5, (mask_px.y + 0.5) * y_ - 0.5};
+  }
+
+ private:
+  cv::Size image_;
+  double x_, y_;
+};
+
+/// The part of a segment whose pixels are in the image; the segment must cross it.
+void clip(PixelPoint& from, PixelPoint& to, cv::Size image) {
+  const auto keep_inside = [](double& x, double& y, double to_x, double to_y, double low, double high) {
+    const double bound = std::clamp(x, low, high);
+    if (bound == x || x == to_x) return;
+    y += (bound - x) / (to_x - x) * (to_y - y);
+    x = bound;
+  };
+  for (int way = 0; way < 2; ++way) {
+    keep_inside(from.x, from.y, to.x, to.y, -0.5, image.width - 0.5);
+    keep_inside(from.y, from.x, to.y, to.x, -0.5, image.height - 0.5);
+    std::swap(from, to);
+  }
+}
+
+PixelLine in_image(const ImageLine& line, const MaskGeometry& geometry, const ImageScale& scale) {
+  const auto image_px = [&](double along, double across) {
+    const Eigen::Vector2d p = StripeAxes(line.wedge.course).at(along, across);
+    return scale(geometry.project({p.x(), p.y()}));
+  };
+  PixelLine px = pixel_line(image_px(line.begin, 0.0), image_px(line.end, 0.0));
+  clip(px.begin, px.end, scale.image());
+  const double middle = 0.5 * (line.begin + line.end), half = 0.5 * line.width_at(middle);
+  const PixelPoint left = image_px(middle, -half), right = image_px(middle, half);
+  px.width_px = std::hypot(right.x - left.x, right.y - left.y);
+  px.quality = line.quality;
+  return px;
+}
+
+/// The same paint seen in two colours, as yellow is also lighter than the floor.
+bool is_among(const std::vector<PixelLine>& lines, const PixelLine& line) {
+  const double x = 0.5 * (line.begin.x + line.end.x), y = 0.5 * (line.begin.y + line.end.y);
+  return std::any_of(lines.begin(), lines.end(), [&](const PixelLine& other) {
+    const double apart =
+        std::abs(x * std::cos(other.theta_rad) + y * std::sin(other.theta_rad) - other.rho_px);
+    return apart < other.width_px + line.width_px &&
+           std::abs(std::remainder(other.theta_rad - line.theta_rad, kPi)) < radians(15.0);
+  });
+}
+
+double widest_px(const std::vector<PixelLine>& lines) {
+  double widest = 0.0;
+  for (const PixelLine& line : lines) widest = std::max(widest, line.width_px);
+  return widest;
+}
+
+/// The lines besides those of the chosen paint, such as white ones beside a yellow one.
+void add_other_paints(const std::vector<ColorChoice>& paints, const MaskGeometry& geometry,
+                      const ImageScale& scale, std::vector<PixelLine>& lines) {
+  const double widest = kWidestBeside * widest_px(lines);
+  for (std::size_t k = 1; k < paints.size(); ++k) {
+    for (const ImageLine& line : paints[k].seen.lines) {
+      const PixelLine px = in_image(line, geometry, scale);
+      if (line.evidence >= kSureBeside && px.width_px <= widest && !is_among(lines, px)) lines.push_back(px);
+    }
+  }
+}
+
+}  // namespace
+
+PixelLine pixel_line(PixelPoint begin, PixelPoint end) {
+  PixelLine line{.begin = begin, .end = end};
+  line.theta_rad = wrap_angle(std::atan2(end.x - begin.x, begin.y - end.y));
+  if (line.theta_rad > kPi / 2.0) line.theta_rad -= kPi;
+  if (line.theta_rad <= -kPi / 2.0) line.theta_rad += kPi;
+  const double c = std::cos(line.theta_rad), s = std::sin(line.theta_rad);
+  line.rho_px = 0.5 * ((begin.x + end.x) * c + (begin.y + end.y) * s);
+  return line;
+}
+
+ImageDetector::ImageDetector(const ImageDetectorOptions& options)
+    : options_(options), segmenter_(options.segmenter) {
+  if (options.method == nullptr) throw std::invalid_argument("image detector: a method is needed");
+  if (options.longest_side_px < 64 || options.longest_side_px > 4096)
+    throw std::invalid_argument("image detector: longest_side_px must be 64 to 4096");
+  if (options.camera) CameraModel{*options.camera};
+}
+
+ImageDetection ImageDetector::detect(const cv::Mat& image) const {
+  require_segmentable(image, {kLeastSide_px, kLeastSide_px});
+  const MaskGeometry geometry = geometry_for(image.size());
+  const std::vector<ColorChoice> paints = segmenter_.choices(image, geometry);
+  ImageDetection detection;
+  if (paints.empty()) return detection;
+  const ColorChoice& best = paints.front();
+  const ImageScale scale(image.size(), geometry);
+  detection.color = best.color;
+  detection.evidence = best.evidence;
+  detection.code = best.seen.code;
+  if (best.seen.junction) {
+    const LevelPoint centre = best.seen.junction->centre;
+    detection.junction_px = scale(geometry.project({centre.x, centre.y}));
+  }
+  const MaskProfile profile = profile_of(best.mask);
+  detection.foreground_ratio = foreground_ratio(profile);
+  if (const auto centre = centroid(profile)) detection.centroid_px = scale(*centre);
+  for (const ImageLine& line : options_.method->find(best, geometry))
+    detection.lines.push_back(in_image(line, geometry, scale));
+  add_other_paints(paints, geometry, scale, detection.lines);
+  return detection;
+}
+
+MaskGeometry ImageDetector::geometry_for(cv::Size image_size) const {
+  const double scale = std::min(
+      1.0, options_.longest_side_px / static_cast<double>(std::max(image_size.width, image_size.height)));
+  const auto scaled = [scale](int side_px) {
+    return std::max(kLeastSide_px, static_cast<int>(std::lround(scale * side_px)));
+  };
+  const int width_px = scaled(image_size.width), height_px = scaled(image_size.height);
+  if (!options_.camera) return assumed_geometry(width_px, height_px);
+  const CameraParameters& camera = *options_.camera;
+  if (image_size.width != camera.width_px || image_size.height != camera.height_px)
+    throw std::invalid_argument("the image is " + std::to_string(image_size.width) + "×" +
+                                std::to_string(image_size.height) + " px, the camera " +
+                                std::to_string(camera.width_px) + "×" + std::to_string(camera.height_px));
+  return {CameraModel(camera), width_px, height_px};
+}
+
+}  // namespace lineservo::features

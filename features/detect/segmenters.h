@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "features/mask/line_color.h"
+#include "features/mask/segmenter.h"
+
+namespace lineservo::features {
+
+struct SegmenterChoice {
+  std::string_view name = "hsv";        ///< of segmenter_names()
+  LineColor color = LineColor::yellow;  ///< for hsv
+  std::string_view svm_model = {};      ///< text of the colour model, for svm
+};
+
+/// hsv (topology), difference (vtp; red), svm (grid) and auto (ours).
+std::vector<std::string_view> segmenter_names();
+
+/// Throws std::invalid_argument for another name, with the names that there are, and for a model that is
+/// none.
+std::unique_ptr<Segmenter> make_segmenter(const SegmenterChoice& choice);
+
+}  // namespace lineservo::features

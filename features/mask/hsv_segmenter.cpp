@@ -1,0 +1,33 @@
+#include "features/mask/hsv_segmenter.h"
+
+namespace lineservo::features {
+
+SegmenterOptions hsv_preset(LineColor color) {
+  SegmenterOptions options;
+  switch (color) {
+    case LineColor::yellow:
+      break;
+    case LineColor::red:
+      options.path = options.marker[1];
+      break;  // with the marker's both sides of hue 0
+    case LineColor::white:
+      options.path = {0, 180, 0, 60, 180, 255};
+      break;
+    case LineColor::black:
+      options.path = {0, 180, 0, 255, 0, 70};
+      break;
+  }
+  return options;
+}
+
+PackedMask HsvSegmenter::segment(const cv::Mat& image, cv::Size mask_size) {
+  require_segmentable(image, mask_size);
+  SegmenterOptions options = hsv_preset(color_);
+  options.width_px = mask_size.width;
+  options.height_px = mask_size.height;
+  PathSegmenter segmenter(options);
+  const Segmentation& found = segmenter.segment(as_bgr(image));
+  return color_ == LineColor::red ? found.paint : found.path;
+}
+
+}  // namespace lineservo::features

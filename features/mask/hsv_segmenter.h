@@ -1,0 +1,23 @@
+#pragma once
+
+#include "features/mask/line_color.h"
+#include "features/mask/path_segmenter.h"
+#include "features/mask/segmenter.h"
+
+namespace lineservo::features {
+
+/// Bounds on HSV for paint of a colour. Yellow is topology §2.5 as printed; red is its marker's.
+SegmenterOptions hsv_preset(LineColor color);
+
+/// Fixed HSV bounds, topology §2.1: resize, colour test, median, closing, by PathSegmenter.
+class HsvSegmenter : public Segmenter {
+ public:
+  explicit HsvSegmenter(LineColor color = LineColor::yellow) : color_(color) {}
+
+  PackedMask segment(const cv::Mat& image, cv::Size mask_size) override;
+
+ private:
+  LineColor color_;
+};
+
+}  // namespace lineservo::features

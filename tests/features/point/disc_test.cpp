@@ -1,0 +1,54 @@
+#include "features/point/disc.h"
+
+#include <gtest/gtest.h>
+
+namespace lineservo::features {
+namespace {
+
+PackedMask disc(int width, int height, int cx, int cy, int radius) {
+  PackedMask mask(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if ((x - cx) * (x - cx) + (y - cy) * (y - cy) <= radius * radius) mask.set(x, y);
+  return mask;
+}
+
+TEST(StartDisc, NeedsMoreThanTheLimit) {
+  PackedMask marker(100, 60);
+  for (int k = 0; k < 350; ++k) marker.set(20 + k % 50, 10 + k / 50);  // 7 rows of 50
+  EXPECT_FALSE(start_disc(marker));
+  for (int x = 20; x < 70; ++x) marker.set(x, 17);
+  const auto centre = start_disc(marker);
+  ASSERT_TRUE(centre);
+  EXPECT_DOUBLE_EQ(centre->x, 44.5);
+  EXPECT_DOUBLE_EQ(centre->y, 13.5);
+}
+
+TEST(EndDisc, SurvivesWhenAsLargeAsTheKernel) {
+  const auto exact = end_disc(disc(160, 120, 70, 50, 11), 11);
+  ASSERT_TRUE(exact);
+  EXPECT_DOUBLE_EQ(exact->x, 70.0);
+  EXPECT_DOUBLE_EQ(exact->y, 50.0);
+  EXPECT_FALSE(end_disc(disc(160, 120, 70, 50, 10), 11));
+}
+
+TEST(EndDisc, IsFoundAtTheEndOfItsStripe) {
+  PackedMask mask = disc(160, 120, 80, 40, 13);
+  for (int y = 40; y < 120; ++y)
+    for (int x = 74; x <= 86; ++x) mask.set(x, y);  // 13 px, narrower than the kernel's 23
+  const auto centre = end_disc(mask, 11);
+  ASSERT_TRUE(centre);
+  EXPECT_DOUBLE_EQ(centre->x, 80.0);
+  EXPECT_NEAR(centre->y, 40.0, 1.0);
+}
+
+TEST(EndDisc, AStripeAloneIsNone) {
+  PackedMask mask(160, 120);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 70; x < 92; ++x) mask.set(x, y);  // 22 px, one short of the kernel
+  EXPECT_FALSE(end_disc(mask, 11));
+  EXPECT_THROW(end_disc(mask, 0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lineservo::features
