@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
+#include "apps/cli/evaluate_command.h"
 #include "apps/cli/fly_command.h"
 #include "apps/cli/list_commands.h"
 #include "apps/cli/test_command.h"
@@ -38,6 +39,7 @@ int run_program(int argc, char** argv) try {
   app.require_subcommand(1);
   int exit_code = kDone;
   add_fly_command(app, exit_code);
+  add_evaluate_command(app, exit_code);
   add_list_commands(app);
   add_test_command(app);
   return parse_and_run(app, argc, argv, exit_code);
