@@ -32,6 +32,7 @@ struct Scene {
 };
 
 struct Amounts {
+  double tilt_sigma_deg = 0.0;  // of what is told of the tilt
   double noise = 0.0, blur_px = 0.0, light_low = 1.0, light_high = 1.0;
   double wear = 0.0, gaps = 0.0, glare = 0.0, dirt = 0.0;
   int objects = 0, jpeg_quality = 100;
@@ -42,7 +43,8 @@ Amounts amounts_of(FrameLevel level) {
     case FrameLevel::clean:
       return {};
     case FrameLevel::real_like:
-      return {.noise = 3.0,
+      return {.tilt_sigma_deg = 0.2,
+              .noise = 3.0,
               .blur_px = 1.2,
               .light_low = 0.75,
               .light_high = 1.2,
@@ -51,7 +53,8 @@ Amounts amounts_of(FrameLevel level) {
               .dirt = 0.01,
               .jpeg_quality = 85};
     case FrameLevel::harsh:
-      return {.noise = 6.0,
+      return {.tilt_sigma_deg = 0.2,
+              .noise = 6.0,
               .blur_px = 2.5,
               .light_low = 0.4,
               .light_high = 1.3,
@@ -218,7 +221,11 @@ LineFrame make_line_frame(cv::Size size, FrameLevel level, std::uint64_t seed, i
   if (scene.has_line)
     frame.truth = features::line_through(project(frame.camera, scene.p_L - 0.1 * scene.d_L),
                                          project(frame.camera, scene.p_L + 0.1 * scene.d_L));
-  degrade(frame, scene, amounts_of(level), random.bits(), random);
+  const Amounts amounts = amounts_of(level);
+  degrade(frame, scene, amounts, random.bits(), random);
+  const double sigma_rad = radians(amounts.tilt_sigma_deg);
+  frame.camera.view = features::LevelView(scene.roll_rad + random.normal(sigma_rad),
+                                          scene.pitch_rad + random.normal(sigma_rad));
   return frame;
 }
 

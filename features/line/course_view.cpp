@@ -31,6 +31,7 @@ LineFeature level_tangent(const CurvedCourse& course, const CourseStretch& stret
   feature.begin = {begin.x(), begin.y()};
   feature.end = {end.x(), end.y()};
   if (line.forward().dot(end - begin) < 0.0) std::swap(feature.begin, feature.end);
+  feature.curvature = std::cos(line.theta_rad - theta_rad) < 0.0 ? -course.curvature : course.curvature;
   return feature;
 }
 

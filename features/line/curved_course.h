@@ -28,7 +28,7 @@ struct CurvedCourse {
   /// The point at an arc length from the foot and a distance from the centreline.
   Eigen::Vector2d at(double along, double across) const;
   /// The tangent's normal there.
-  double theta_at(double along) const { return theta_rad - curvature * along; }
+  double theta_at(double along) const { return theta_rad + curvature * along; }
   /// Arc length (to second order in the curvature) of the point of the centreline nearest to p.
   double along(const Eigen::Vector2d& p) const;
   /// Signed distance from the centreline, towards the normal.

@@ -10,22 +10,46 @@ namespace {
 constexpr int kParameters = 5;  // offset, θ, width, curvature, taper
 constexpr int kMinPoints = 8;
 constexpr int kIterations = 12;
+constexpr double kSettled = 1e-7;          // a ten-thousandth of a pixel
 constexpr double kTukey = 4.685;           // cut-off in σ for 95 % efficiency
 constexpr double kMedianToSigma = 1.4826;  // of a normal distribution
 using Matrix = Eigen::Matrix<double, kParameters, kParameters>;
 using Vector = Eigen::Matrix<double, kParameters, 1>;
 
-double residual(const EdgePoint& point, const CurvedCourse& course) {
-  return course.across(point.p) - 0.5 * point.side * course.width_at(course.along(point.p));
-}
+// A course at hand for many points: its directions are worked out once.
+class Borders {
+ public:
+  explicit Borders(const CurvedCourse& course)
+      : course_(course), normal_(course.normal()), forward_(course.forward()) {}
 
-// With u across and t along the tangent at the foot, to first order in the curvature:
-// dr = −d(offset) − t dθ ∓ dw/2 − (u² + t²)/2 dκ ∓ t/2 dτ.
-Vector gradient(const EdgePoint& point, const CurvedCourse& course) {
-  const Eigen::Vector2d q = point.p - course.foot;
-  const double t = q.dot(course.forward());
-  return {-1.0, -t, -0.5 * point.side, -0.5 * q.squaredNorm(), -0.5 * point.side * t};
-}
+  struct Point {
+    double along, across;  // of the axes through the foot
+  };
+  Point local(const EdgePoint& point) const {
+    const Eigen::Vector2d q = point.p - course_.foot;
+    return {q.dot(forward_), q.dot(normal_)};
+  }
+
+  /// The distance from the point's own border: as CurvedCourse::across(), the width taken at the foot of the
+  /// tangent.
+  double residual(const Point& q, double side) const {
+    const double half = 0.5 * side * course_.width_at(q.along), kappa = course_.curvature;
+    if (kappa == 0.0) return q.across - half;
+    const double F = q.across - 0.5 * kappa * (q.along * q.along + q.across * q.across);
+    return 2.0 * F / (1.0 + std::sqrt(std::max(0.0, 1.0 - 2.0 * kappa * F))) - half;
+  }
+
+  // With u across and t along the tangent at the foot, to first order in the curvature:
+  // dr = −d(offset) − t dθ ∓ dw/2 − (u² + t²)/2 dκ ∓ t/2 dτ.
+  static Vector gradient(const Point& q, double side) {
+    return {-1.0, -q.along, -0.5 * side, -0.5 * (q.along * q.along + q.across * q.across),
+            -0.5 * side * q.along};
+  }
+
+ private:
+  const CurvedCourse& course_;
+  Eigen::Vector2d normal_, forward_;
+};
 
 struct NormalEquations {
   Matrix A = Matrix::Zero();
@@ -36,18 +60,21 @@ struct NormalEquations {
 
 NormalEquations accumulate(const std::vector<EdgePoint>& points, const CurvedCourse& course, double reach) {
   NormalEquations sums;
+  const Borders borders(course);
   for (const EdgePoint& point : points) {
-    const double r = residual(point, course);
+    const Borders::Point q = borders.local(point);
+    const double r = borders.residual(q, point.side);
     const double u = 1.0 - (r * r) / (reach * reach);
     if (u <= 0.0) continue;
     const double w = u * u;
-    const Vector g = gradient(point, course);
-    sums.A.noalias() += w * g * g.transpose();
-    sums.b -= w * r * g;
+    const Vector g = Borders::gradient(q, point.side);
+    sums.A.selfadjointView<Eigen::Lower>().rankUpdate(g, w);
+    sums.b -= (w * r) * g;
     sums.weight += w;
     sums.squares += w * r * r;
     ++sums.points;
   }
+  sums.A = Matrix(sums.A.selfadjointView<Eigen::Lower>());
   return sums;
 }
 
@@ -76,8 +103,9 @@ double robust_reach(const std::vector<EdgePoint>& points, const CurvedCourse& co
                     double least_reach) {
   std::vector<double> sizes;
   sizes.reserve(points.size());
+  const Borders borders(course);
   for (const EdgePoint& point : points) {
-    const double size = std::abs(residual(point, course));
+    const double size = std::abs(borders.residual(borders.local(point), point.side));
     if (size < reach) sizes.push_back(size);
   }
   if (sizes.empty()) return reach;
@@ -110,7 +138,7 @@ std::optional<CurvedFit> fit_borders(const std::vector<EdgePoint>& points, const
     if (!step.allFinite()) return std::nullopt;
     apply(step, fit.course);
     fit.scatter = std::sqrt(sums.squares / sums.weight);
-    if (iteration + 1 == kIterations || (iteration >= 3 && step.cwiseAbs().maxCoeff() < 1e-8)) {
+    if (iteration + 1 == kIterations || (iteration >= 3 && step.cwiseAbs().maxCoeff() < kSettled)) {
       if (!(fit.course.width > 0.0)) return std::nullopt;
       state_uncertainty(sums, ldlt, shape, fit);
       return fit;

@@ -114,7 +114,7 @@ std::optional<ImageLine> supported_line(const ImageLine& line, const PackedMask&
   ImageLine supported = line;
   supported.width_px = median_width(crossings);
   supported.covariance = covariance_of(crossings, supported.width_px);
-  supported.quality = stretch->share;
+  supported.quality = std::min(1.0, stretch->share);
   supported.begin = line.at(stretch->from);
   supported.end = line.at(stretch->to);
   return supported;
