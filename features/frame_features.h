@@ -16,8 +16,9 @@ struct LineFeature {
   double theta_rad = 0.0;                                    ///< in (−π/2, π/2]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of (ρ, θ)
   double width = 0.0;                                        ///< of the stripe
-  double quality = 0.0;   ///< share of the visible border that supports it, 0…1
-  LevelPoint begin, end;  ///< where the centreline starts and ends in view; end is forward
+  double quality = 0.0;    ///< share of the visible border that supports it, 0…1
+  LevelPoint begin, end;   ///< where the centreline starts and ends in view; end is forward
+  double curvature = 0.0;  ///< positive: bends towards the normal; 0 unless measured and significant
 };
 
 /// One painted arm that leaves a junction.

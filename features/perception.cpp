@@ -4,8 +4,17 @@
 #include <stdexcept>
 
 #include "features/junction/fpd.h"
+#include "features/line/line_methods.h"
 
 namespace lineservo::features {
+namespace {
+
+std::unique_ptr<LineDetector> detector_of(const std::string& line_method) {
+  const LineMethod& method = find_line_method(line_method);
+  return line_method == "stripe" ? nullptr : method.make();
+}
+
+}  // namespace
 
 Perception::Perception(const CameraModel& camera, const PerceptionOptions& options)
     : options_(options),
@@ -13,6 +22,8 @@ Perception::Perception(const CameraModel& camera, const PerceptionOptions& optio
       segmenter_(options.segmenter),
       geometry_(camera, options.segmenter.width_px, options.segmenter.height_px),
       stripes_(geometry_, options.stripe),
+      line_detector_(detector_of(options.line_method)),
+      pose_{camera, LevelView()},
       filter_(options.junction_window),
       tracker_(options.tracker) {}
 
@@ -27,7 +38,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), context.view, prior(context));
 
   FrameFeatures features;
-  features.lines = stripes.lines;
+  features.lines = line_detector_ ? detect_lines(bgr, context.view) : stripes.lines;
   if (options_.line_filter == LineFilter::kalman) track(features.lines, context);
   features.junction = stripes.junction;
   features.centroid_px = centroid(profile_);
@@ -57,6 +68,14 @@ void Perception::track(std::vector<LineFeature>& lines, const FrameContext& cont
   });
   if (!tracked->predicted && raw != lines.end()) lines.erase(raw);
   lines.insert(lines.begin(), tracked->line);
+}
+
+std::vector<LineFeature> Perception::detect_lines(const cv::Mat& bgr, const LevelView& view) {
+  pose_.view = view;
+  std::vector<LineFeature> lines;
+  for (const DetectedLine& line : line_detector_->detect({bgr, segmentation_->paint, &pose_}))
+    lines.push_back(*line.level);
+  return lines;
 }
 
 JunctionCode Perception::read_code(const StripeFeatures& stripes, bool& line_ends_ahead) const {

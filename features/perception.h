@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <opencv2/core/mat.hpp>
+#include <string>
 
 #include "features/frame_features.h"
 #include "features/geometry/camera_model.h"
 #include "features/geometry/level_view.h"
 #include "features/junction/code_filter.h"
+#include "features/line/line_detector.h"
 #include "features/mask/mask_profile.h"
 #include "features/mask/path_segmenter.h"
 #include "features/stripe_perception.h"
@@ -40,6 +43,8 @@ struct PerceptionOptions {
   StripePerceptionOptions stripe;
   LineFilter line_filter = LineFilter::none;
   LineTrackerOptions tracker;
+  /// Of line_methods(): where the lines come from. The junctions always rest on the stripes.
+  std::string line_method = "stripe";
 };
 
 /// Frame → features: segmentation, centroid, stripes, junction and code. Remembers the code filter's window
@@ -58,6 +63,7 @@ class Perception {
  private:
   std::optional<StripePrior> prior(const FrameContext& context) const;
   void track(std::vector<LineFeature>& lines, const FrameContext& context);
+  std::vector<LineFeature> detect_lines(const cv::Mat& bgr, const LevelView& view);
   JunctionCode read_code(const StripeFeatures& stripes, bool& line_ends_ahead) const;
 
   PerceptionOptions options_;
@@ -65,6 +71,8 @@ class Perception {
   PathSegmenter segmenter_;
   MaskGeometry geometry_;
   StripePerception stripes_;
+  std::unique_ptr<LineDetector> line_detector_;  ///< none: the lines are the stripes
+  CameraPose pose_;
   CodeFilter filter_;
   LineTracker tracker_;
   MaskProfile profile_;

@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "apps/cli/detect_command.h"
+#include "apps/cli/evaluate_command.h"
 #include "apps/cli/fly_command.h"
 #include "apps/cli/list_commands.h"
 #include "apps/cli/test_command.h"
@@ -41,6 +42,7 @@ int run_program(int argc, char** argv) try {
   int exit_code = kDone;
   add_fly_command(app, exit_code);
   add_detect_command(app, exit_code);
+  add_evaluate_command(app, exit_code);
   add_list_commands(app);
   add_test_command(app);
   add_train_command(app);

@@ -55,6 +55,7 @@ vehicle::SensorParameters sensor_parameters(const SensorSettings& settings) {
 
 features::PerceptionOptions perception_options(const FeatureSettings& settings, std::string_view method) {
   features::PerceptionOptions options;
+  options.line_method = settings.line_method;
   options.junction_method =
       method == "fpd" ? features::JunctionMethod::fpd : features::JunctionMethod::stripe;
   options.junction_window = settings.junction_window;

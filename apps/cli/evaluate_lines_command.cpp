@@ -1,0 +1,67 @@
+#include "apps/cli/evaluate_lines_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <memory>
+#include <optional>
+
+#include "apps/cli/program.h"
+#include "apps/evaluate/line_evaluation.h"
+#include "apps/evaluate/line_report.h"
+#include "apps/output/result_folder.h"
+
+namespace lineservo::apps {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+struct Arguments {
+  LineEvaluationOptions options;
+  std::optional<std::string> out;
+  bool json = false;
+};
+
+// On a terminal one line that is written over; false ends the evaluation.
+bool show_progress(double share) {
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\revaluate lines: {:3.0f} % ", 100.0 * share);
+  return interrupted == 0;
+}
+
+int evaluate(const Arguments& arguments) {
+  std::optional<ResultFolder> folder;
+  if (arguments.out) folder.emplace(*arguments.out);
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  const std::vector<LineEvaluationRow> rows = evaluate_lines(arguments.options, show_progress);
+  if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+  if (interrupted) return kFailed;
+  const std::string json = lines_json(arguments.options, rows).dump(2) + "\n";
+  if (folder) {
+    folder->write("evaluation.json", json);
+    folder->write("evaluation.csv", lines_csv(rows));
+    folder->publish();
+  }
+  fmt::print("{}", arguments.json ? json : lines_table(rows));
+  if (arguments.out && !arguments.json) fmt::print("\nwritten to {}\n", *arguments.out);
+  return kDone;
+}
+
+}  // namespace
+
+void add_evaluate_lines_command(CLI::App& group, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  CLI::App* command = group.add_subcommand(
+      "lines", "line methods on clean, real-like and harsh frames, 1920x1080 and 640x480");
+  command->add_option("--frames", a.options.frames, "frames of each level and size (default 100)");
+  command->add_option("--seed", a.options.seed, "seed of everything random (default 1)");
+  command->add_option("--methods", a.options.methods, "only these, separated by commas (default: all)")
+      ->delimiter(',');
+  command->add_option("--out", a.out, "folder for evaluation.json and evaluation.csv");
+  command->add_flag("--json", a.json, "print evaluation.json instead of the table");
+  command->callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });
+}
+
+}  // namespace lineservo::apps

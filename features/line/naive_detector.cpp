@@ -1,0 +1,57 @@
+#include "features/line/naive_detector.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "features/geometry/angles.h"
+#include "features/line/hough_lines.h"
+#include "features/line/level_line.h"
+#include "features/line/scene_check.h"
+
+namespace lineservo::features {
+namespace {
+
+constexpr double kLeastVotes = 0.35;  // of the image's short side
+
+cv::Mat edges_of(const cv::Mat& image) {
+  cv::Mat grey = image, edges;
+  if (image.channels() == 3) cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  cv::Canny(grey, edges, 50.0, 150.0);
+  return edges;
+}
+
+// What Hough's bins of 1 px by 1° round off.
+Eigen::Matrix2d bin_covariance() {
+  return Eigen::Vector2d(1.0, radians(1.0) * radians(1.0)).asDiagonal() * (1.0 / 12.0);
+}
+
+DetectedLine completed(const VotedLine& voted, const LineScene& scene) {
+  DetectedLine detected{voted.line, std::nullopt};
+  ImageLine& line = detected.image;
+  const auto stretch = stretch_in_image(line, scene.image.size()).value_or(std::pair{0.0, 1.0});
+  line.begin = line.at(stretch.first);
+  line.end = line.at(stretch.second);
+  line.quality = std::min(1.0, voted.votes / std::max(1.0, stretch.second - stretch.first));
+  line.covariance = bin_covariance();
+  if (scene.camera) detected.level = level_line(line, *scene.camera);
+  return detected;
+}
+
+}  // namespace
+
+std::vector<DetectedLine> NaiveDetector::detect(const LineScene& scene) {
+  require_image(scene.image);
+  if (!is_large_enough(scene.image)) return {};
+  const int least_votes =
+      std::max(8, static_cast<int>(kLeastVotes * std::min(scene.image.cols, scene.image.rows)));
+  const std::vector<VotedLine> lines = hough_lines(edges_of(scene.image), least_votes);
+  std::vector<DetectedLine> detected;
+  for (const bool up : {true, false}) {
+    const auto best = std::find_if(lines.begin(), lines.end(),
+                                   [up](const VotedLine& voted) { return runs_up(voted.line) == up; });
+    if (best != lines.end()) detected.push_back(completed(*best, scene));
+  }
+  return detected;
+}
+
+}  // namespace lineservo::features
