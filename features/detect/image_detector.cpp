@@ -11,6 +11,7 @@ namespace lineservo::features {
 namespace {
 
 constexpr int kLeastSide_px = 16;
+constexpr double kCarriesOn = 0.5;     // of the longest line, and of the surest one
 constexpr double kSureBeside = 0.7;    // a line of another paint is told when it is so sure by itself
 constexpr double kWidestBeside = 2.5;  // and no wider than so many of the widest of the chosen paint
 
@@ -73,6 +74,20 @@ bool is_among(const std::vector<PixelLine>& lines, const PixelLine& line) {
   });
 }
 
+/// Lines that carry on go before pieces of a bend and stubs of side arms; apart from that the order stays,
+/// which is the most nearly vertical first.
+std::vector<ImageLine> best_first(std::vector<ImageLine> lines) {
+  double longest = 0.0, surest = 0.0;
+  for (const ImageLine& line : lines) {
+    longest = std::max(longest, line.length());
+    surest = std::max(surest, line.evidence);
+  }
+  std::stable_partition(lines.begin(), lines.end(), [&](const ImageLine& line) {
+    return line.length() >= kCarriesOn * longest && line.evidence >= kCarriesOn * surest;
+  });
+  return lines;
+}
+
 double widest_px(const std::vector<PixelLine>& lines) {
   double widest = 0.0;
   for (const PixelLine& line : lines) widest = std::max(widest, line.width_px);
@@ -129,7 +144,7 @@ ImageDetection ImageDetector::detect(const cv::Mat& image) const {
   const MaskProfile profile = profile_of(best.mask);
   detection.foreground_ratio = foreground_ratio(profile);
   if (const auto centre = centroid(profile)) detection.centroid_px = scale(*centre);
-  for (const ImageLine& line : options_.method->find(best, geometry))
+  for (const ImageLine& line : best_first(options_.method->find(best, geometry)))
     detection.lines.push_back(in_image(line, geometry, scale));
   add_other_paints(paints, geometry, scale, detection.lines);
   return detection;

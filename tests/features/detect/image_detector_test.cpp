@@ -143,6 +143,16 @@ TEST(ImageDetector, PrefersTheLineWithAHueAndTellsTheOther) {
   EXPECT_NEAR(seen.lines[1].rho_px, 159.5 - 0.3 / 0.5 * 160.0, 1.0);
 }
 
+TEST(ImageDetector, FollowsTheLineThatCarriesOn) {
+  // Level in the picture, with a stub upwards that measures 0.09 m beyond its border: less than half as long.
+  const MaskGeometry geometry = assumed_geometry(320, 240);
+  Floor floor = along(kLeft);
+  floor.strips.push_back(Strip({0.0, 0.0}, {0.13, 0.0}, kStripe_m));
+  const auto seen = ImageDetector().detect(photograph(geometry, {}, floor, scene_of(LineColor::yellow)));
+  ASSERT_FALSE(seen.lines.empty());
+  EXPECT_NEAR(std::abs(degrees(seen.lines.front().theta_rad)), 90.0, 0.5);
+}
+
 TEST(ImageDetector, SeesNoLineOnABareFloor) {
   const MaskGeometry geometry = assumed_geometry(320, 240);
   for (const double joints_m : {0.0, 0.25}) {
