@@ -17,7 +17,7 @@ namespace {
 
 struct DetectArguments {
   std::vector<std::string> images;
-  std::string method = std::string(features::detect_methods().front().name);
+  std::string method = "stripe";
   std::string color = "auto";
   std::optional<std::string> camera;
   bool json = false;
@@ -31,7 +31,7 @@ std::vector<features::LineColor> colors_of(const std::string& word) {
 
 features::ImageDetectorOptions options_of(const DetectArguments& arguments) {
   features::ImageDetectorOptions options;
-  options.method = &features::detect_method(arguments.method);
+  options.method = arguments.method;
   options.segmenter.colors = colors_of(arguments.color);
   if (arguments.camera) options.camera = read_camera(*arguments.camera);
   return options;
@@ -74,7 +74,11 @@ void add_detect_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<DetectArguments>();
   CLI::App* command = app.add_subcommand("detect", "find the lines and the junction in image files");
   command->add_option("IMAGE", arguments->images, "image files, grey or colour, of any size")->required();
-  command->add_option("--method", arguments->method, "how lines are found")->capture_default_str();
+  command
+      ->add_option(
+          "--method", arguments->method,
+          "how lines are found: stripe, subpixel, centroid, slices, fitline, skeleton, combined or naive")
+      ->capture_default_str();
   command->add_option("--color", arguments->color, "of the line: yellow, red, white, black or auto")
       ->capture_default_str();
   command->add_option("--camera", arguments->camera,

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json to_json(const features::PixelLine& line) {
+ordered_json to_json(const features::ImageLine& line) {
   return {{"rho_px", line.rho_px},     {"theta_deg", features::degrees(line.theta_rad)},
           {"x1", line.begin.x},        {"y1", line.begin.y},
           {"x2", line.end.x},          {"y2", line.end.y},
@@ -21,9 +21,9 @@ ordered_json to_json(const std::optional<features::PixelPoint>& point) {
   return {{"x_px", point->x}, {"y_px", point->y}};
 }
 
-ordered_json lines_json(const std::vector<features::PixelLine>& lines) {
+ordered_json lines_json(const std::vector<features::ImageLine>& lines) {
   ordered_json list = ordered_json::array();
-  for (const features::PixelLine& line : lines) list.push_back(to_json(line));
+  for (const features::ImageLine& line : lines) list.push_back(to_json(line));
   return list;
 }
 
@@ -63,7 +63,7 @@ std::string to_text(const DetectionReport& report) {
   if (!seen.lines.empty())
     text += fmt::format("  {:>9} {:>10} {:>17} {:>17} {:>9} {:>8}\n", "rho (px)", "theta (deg)", "from (px)",
                         "to (px)", "width", "quality");
-  for (const features::PixelLine& line : seen.lines)
+  for (const features::ImageLine& line : seen.lines)
     text += fmt::format("  {:>9.1f} {:>10.2f}  {:>8.1f},{:>7.1f}  {:>8.1f},{:>7.1f} {:>9.1f} {:>8.2f}\n",
                         line.rho_px, features::degrees(line.theta_rad), line.begin.x, line.begin.y,
                         line.end.x, line.end.y, line.width_px, line.quality);

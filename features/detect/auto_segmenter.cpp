@@ -58,7 +58,7 @@ std::vector<ColorChoice> AutoSegmenter::choices(const cv::Mat& image, const Mask
   const cv::Size mask_size(geometry.width_px(), geometry.height_px());
   require_segmentable(image, mask_size);
   const cv::Mat bgr = resized_bgr(image, mask_size);
-  ImageLineFinder finder(geometry);
+  WedgeLineFinder finder(geometry);
   std::vector<ColorChoice> found;
   for (const LineColor color : options_.colors)
     if (auto best = best_of(color, bgr, finder)) found.push_back(std::move(*best));
@@ -68,20 +68,20 @@ std::vector<ColorChoice> AutoSegmenter::choices(const cv::Mat& image, const Mask
 }
 
 std::optional<ColorChoice> AutoSegmenter::best_of(LineColor color, const cv::Mat& bgr,
-                                                  ImageLineFinder& finder) const {
+                                                  WedgeLineFinder& finder) const {
   std::optional<ColorChoice> best;
   for (const ContrastReach& reach : options_.reaches)
     try_thresholds(color, color_contrast(bgr, color, reach), finder, best);
   return best;
 }
 
-void AutoSegmenter::try_thresholds(LineColor color, const cv::Mat& contrast, ImageLineFinder& finder,
+void AutoSegmenter::try_thresholds(LineColor color, const cv::Mat& contrast, WedgeLineFinder& finder,
                                    std::optional<ColorChoice>& best) const {
   const PaintContrast paint{contrast, full_contrast(contrast), least_width(color)};
   if (paint.full < kLevels * least_contrast(color)) return;
   for (const double threshold : options_.thresholds) {
     PackedMask mask = thresholded(contrast, threshold * paint.full);
-    ImageLines seen = finder.find(mask);
+    WedgeLines seen = finder.find(mask);
     const double evidence = trust(color, paint.full) * judge(mask, paint, finder.geometry(), seen);
     if (evidence < std::max(options_.min_evidence, best ? best->evidence : 0.0)) continue;
     best = ColorChoice{color, evidence, std::move(mask), std::move(seen)};

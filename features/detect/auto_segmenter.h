@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "features/detect/image_lines.h"
+#include "features/detect/wedge_lines.h"
 #include "features/mask/color_contrast.h"
 #include "features/mask/segmenter.h"
 
@@ -27,7 +27,7 @@ struct ColorChoice {
   LineColor color = LineColor::yellow;
   double evidence = 0.0;  ///< how sure it is, 0…1
   PackedMask mask;
-  ImageLines seen;
+  WedgeLines seen;
 };
 
 /// Finds the line's colour by itself, for cameras and floors that nobody has tuned: every colour is tried
@@ -49,11 +49,11 @@ class AutoSegmenter : public Segmenter {
   double evidence() const { return evidence_; }
 
  private:
-  std::optional<ColorChoice> best_of(LineColor color, const cv::Mat& bgr, ImageLineFinder& finder) const;
+  std::optional<ColorChoice> best_of(LineColor color, const cv::Mat& bgr, WedgeLineFinder& finder) const;
   double least_contrast(LineColor color) const;
   double least_width(LineColor color) const;
   double trust(LineColor color, double full_contrast) const;
-  void try_thresholds(LineColor color, const cv::Mat& contrast, ImageLineFinder& finder,
+  void try_thresholds(LineColor color, const cv::Mat& contrast, WedgeLineFinder& finder,
                       std::optional<ColorChoice>& best) const;
 
   AutoSegmenterOptions options_;

@@ -5,11 +5,13 @@
 #include <stdexcept>
 
 #include "features/geometry/angles.h"
+#include "features/line/line_methods.h"
 #include "features/mask/mask_profile.h"
 
 namespace lineservo::features {
 namespace {
 
+constexpr std::string_view kStripe = "stripe";
 constexpr int kLeastSide_px = 16;
 constexpr double kCarriesOn = 0.5;     // of the longest line, and of the surest one
 constexpr double kSureBeside = 0.7;    // a line of another paint is told when it is so sure by itself
@@ -49,12 +51,12 @@ void clip(PixelPoint& from, PixelPoint& to, cv::Size image) {
   }
 }
 
-PixelLine in_image(const ImageLine& line, const MaskGeometry& geometry, const ImageScale& scale) {
+ImageLine in_image(const WedgeLine& line, const MaskGeometry& geometry, const ImageScale& scale) {
   const auto image_px = [&](double along, double across) {
     const Eigen::Vector2d p = StripeAxes(line.wedge.course).at(along, across);
     return scale(geometry.project({p.x(), p.y()}));
   };
-  PixelLine px = pixel_line(image_px(line.begin, 0.0), image_px(line.end, 0.0));
+  ImageLine px = line_through(image_px(line.begin, 0.0), image_px(line.end, 0.0));
   clip(px.begin, px.end, scale.image());
   const double middle = 0.5 * (line.begin + line.end), half = 0.5 * line.width_at(middle);
   const PixelPoint left = image_px(middle, -half), right = image_px(middle, half);
@@ -64,9 +66,9 @@ PixelLine in_image(const ImageLine& line, const MaskGeometry& geometry, const Im
 }
 
 /// The same paint seen in two colours, as yellow is also lighter than the floor.
-bool is_among(const std::vector<PixelLine>& lines, const PixelLine& line) {
+bool is_among(const std::vector<ImageLine>& lines, const ImageLine& line) {
   const double x = 0.5 * (line.begin.x + line.end.x), y = 0.5 * (line.begin.y + line.end.y);
-  return std::any_of(lines.begin(), lines.end(), [&](const PixelLine& other) {
+  return std::any_of(lines.begin(), lines.end(), [&](const ImageLine& other) {
     const double apart =
         std::abs(x * std::cos(other.theta_rad) + y * std::sin(other.theta_rad) - other.rho_px);
     return apart < other.width_px + line.width_px &&
@@ -76,31 +78,31 @@ bool is_among(const std::vector<PixelLine>& lines, const PixelLine& line) {
 
 /// Lines that carry on go before pieces of a bend and stubs of side arms; apart from that the order stays,
 /// which is the most nearly vertical first.
-std::vector<ImageLine> best_first(std::vector<ImageLine> lines) {
+std::vector<WedgeLine> best_first(std::vector<WedgeLine> lines) {
   double longest = 0.0, surest = 0.0;
-  for (const ImageLine& line : lines) {
+  for (const WedgeLine& line : lines) {
     longest = std::max(longest, line.length());
     surest = std::max(surest, line.evidence);
   }
-  std::stable_partition(lines.begin(), lines.end(), [&](const ImageLine& line) {
+  std::stable_partition(lines.begin(), lines.end(), [&](const WedgeLine& line) {
     return line.length() >= kCarriesOn * longest && line.evidence >= kCarriesOn * surest;
   });
   return lines;
 }
 
-double widest_px(const std::vector<PixelLine>& lines) {
+double widest_px(const std::vector<ImageLine>& lines) {
   double widest = 0.0;
-  for (const PixelLine& line : lines) widest = std::max(widest, line.width_px);
+  for (const ImageLine& line : lines) widest = std::max(widest, line.width_px);
   return widest;
 }
 
 /// The lines besides those of the chosen paint, such as white ones beside a yellow one.
 void add_other_paints(const std::vector<ColorChoice>& paints, const MaskGeometry& geometry,
-                      const ImageScale& scale, std::vector<PixelLine>& lines) {
+                      const ImageScale& scale, std::vector<ImageLine>& lines) {
   const double widest = kWidestBeside * widest_px(lines);
   for (std::size_t k = 1; k < paints.size(); ++k) {
-    for (const ImageLine& line : paints[k].seen.lines) {
-      const PixelLine px = in_image(line, geometry, scale);
+    for (const WedgeLine& line : paints[k].seen.lines) {
+      const ImageLine px = in_image(line, geometry, scale);
       if (line.evidence >= kSureBeside && px.width_px <= widest && !is_among(lines, px)) lines.push_back(px);
     }
   }
@@ -108,19 +110,9 @@ void add_other_paints(const std::vector<ColorChoice>& paints, const MaskGeometry
 
 }  // namespace
 
-PixelLine pixel_line(PixelPoint begin, PixelPoint end) {
-  PixelLine line{.begin = begin, .end = end};
-  line.theta_rad = wrap_angle(std::atan2(end.x - begin.x, begin.y - end.y));
-  if (line.theta_rad > kPi / 2.0) line.theta_rad -= kPi;
-  if (line.theta_rad <= -kPi / 2.0) line.theta_rad += kPi;
-  const double c = std::cos(line.theta_rad), s = std::sin(line.theta_rad);
-  line.rho_px = 0.5 * ((begin.x + end.x) * c + (begin.y + end.y) * s);
-  return line;
-}
-
 ImageDetector::ImageDetector(const ImageDetectorOptions& options)
     : options_(options), segmenter_(options.segmenter) {
-  if (options.method == nullptr) throw std::invalid_argument("image detector: a method is needed");
+  find_line_method(options.method);
   if (options.longest_side_px < 64 || options.longest_side_px > 4096)
     throw std::invalid_argument("image detector: longest_side_px must be 64 to 4096");
   if (options.camera) CameraModel{*options.camera};
@@ -144,10 +136,25 @@ ImageDetection ImageDetector::detect(const cv::Mat& image) const {
   const MaskProfile profile = profile_of(best.mask);
   detection.foreground_ratio = foreground_ratio(profile);
   if (const auto centre = centroid(profile)) detection.centroid_px = scale(*centre);
-  for (const ImageLine& line : best_first(options_.method->find(best, geometry)))
-    detection.lines.push_back(in_image(line, geometry, scale));
-  add_other_paints(paints, geometry, scale, detection.lines);
+  detection.lines = lines_of(best, image, geometry);
+  if (options_.method == kStripe) add_other_paints(paints, geometry, scale, detection.lines);
   return detection;
+}
+
+// The search for the colour has found the stripes already; the other methods look at its mask, or at the
+// image itself.
+std::vector<ImageLine> ImageDetector::lines_of(const ColorChoice& paint, const cv::Mat& image,
+                                               const MaskGeometry& geometry) const {
+  std::vector<ImageLine> lines;
+  if (options_.method == kStripe) {
+    const ImageScale scale(image.size(), geometry);
+    for (const WedgeLine& line : best_first(paint.seen.lines))
+      lines.push_back(in_image(line, geometry, scale));
+    return lines;
+  }
+  const std::unique_ptr<LineDetector> detector = find_line_method(options_.method).make();
+  for (const DetectedLine& line : detector->detect({image, paint.mask})) lines.push_back(line.image);
+  return lines;
 }
 
 MaskGeometry ImageDetector::geometry_for(cv::Size image_size) const {

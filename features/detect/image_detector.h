@@ -1,29 +1,19 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "features/detect/detect_methods.h"
+#include "features/detect/auto_segmenter.h"
 #include "features/geometry/camera_model.h"
 #include "features/junction/junction_code.h"
+#include "features/line/image_line.h"
 
 namespace lineservo::features {
 
-/// A line in pixels of the image as given: x cosθ + y sinθ = ρ, origin at the centre of the top-left pixel.
-struct PixelLine {
-  double rho_px = 0.0;
-  double theta_rad = 0.0;  ///< in (−π/2, π/2]
-  PixelPoint begin, end;   ///< of its centreline in view; end is forward
-  double width_px = 0.0;   ///< at its middle
-  double quality = 0.0;    ///< 0…1
-};
-
-/// The line through two points that differ.
-PixelLine pixel_line(PixelPoint begin, PixelPoint end);
-
 /// What is seen in one picture. What was not seen is absent.
 struct ImageDetection {
-  std::vector<PixelLine> lines;  ///< every line in view, the best to follow first
+  std::vector<ImageLine> lines;  ///< every line in view, the best to follow first
   std::optional<PixelPoint> centroid_px;
   JunctionCode code = JunctionCode::unrecognised;
   std::optional<PixelPoint> junction_px;
@@ -34,7 +24,8 @@ struct ImageDetection {
 
 struct ImageDetectorOptions {
   AutoSegmenterOptions segmenter;
-  const DetectMethod* method = &detect_methods().front();
+  std::string method =
+      "stripe";  ///< of line_methods(); with stripe, borders may converge as those of a slanted view do
   std::optional<CameraParameters> camera;  ///< without one: assumed_geometry()
   int longest_side_px = 640;               ///< larger pictures are looked at in this size
 };
@@ -51,6 +42,8 @@ class ImageDetector {
 
  private:
   MaskGeometry geometry_for(cv::Size image_size) const;
+  std::vector<ImageLine> lines_of(const ColorChoice& paint, const cv::Mat& image,
+                                  const MaskGeometry& geometry) const;
 
   ImageDetectorOptions options_;
   AutoSegmenter segmenter_;

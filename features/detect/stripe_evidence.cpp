@@ -33,7 +33,7 @@ std::optional<double> contrast_at(const cv::Mat& contrast, const MaskGeometry& g
 }
 
 /// Mean step of the contrast over one border (side −1 or 1), from outside to inside; none out of view.
-std::optional<double> border_step(const ImageLine& line, double side, const cv::Mat& contrast,
+std::optional<double> border_step(const WedgeLine& line, double side, const cv::Mat& contrast,
                                   const MaskGeometry& geometry) {
   const StripeAxes axes(line.wedge.course);
   const double beside = kBeside * shorter_side(geometry);
@@ -51,15 +51,15 @@ std::optional<double> border_step(const ImageLine& line, double side, const cv::
   return steps == 0 ? std::nullopt : std::optional(sum / steps);
 }
 
-bool is_credible(const ImageLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
+bool is_credible(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
   const double image_width = geometry.width_px() / geometry.pinhole()(0, 0);
   return line.wedge.course.width >= paint.least_width * image_width &&
          line.quality * sharpness(line, paint, geometry) >= kCredible;
 }
 
-double evidence_of(const std::vector<ImageLine>& lines) {
+double evidence_of(const std::vector<WedgeLine>& lines) {
   double best = 0.0, sum = 0.0;
-  for (const ImageLine& line : lines) {
+  for (const WedgeLine& line : lines) {
     best = std::max(best, line.evidence);
     sum += line.evidence;
   }
@@ -68,7 +68,7 @@ double evidence_of(const std::vector<ImageLine>& lines) {
 
 }  // namespace
 
-double sharpness(const ImageLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
+double sharpness(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
   const auto left = border_step(line, -1.0, paint.contrast, geometry);
   const auto right = border_step(line, 1.0, paint.contrast, geometry);
   if (!left && !right) return 0.0;
@@ -76,14 +76,14 @@ double sharpness(const ImageLine& line, const PaintContrast& paint, const MaskGe
   return std::clamp((step - kNoStep) / (kFullStep - kNoStep), 0.0, 1.0);
 }
 
-double line_evidence(const ImageLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
+double line_evidence(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
   const double longness = line.length() / (kLongEnough * shorter_side(geometry));
   const double slenderness = line.length() / (kSlender * line.wedge.course.width);
   return line.quality * std::min(1.0, longness) * std::min(1.0, slenderness) *
          sharpness(line, paint, geometry);
 }
 
-double explained_share(const PackedMask& mask, const std::vector<ImageLine>& lines,
+double explained_share(const PackedMask& mask, const std::vector<WedgeLine>& lines,
                        const MaskGeometry& geometry) {
   const double margin = 0.005 * shorter_side(geometry);
   int painted = 0, explained = 0;
@@ -92,7 +92,7 @@ double explained_share(const PackedMask& mask, const std::vector<ImageLine>& lin
       if (!mask.at(x, y)) continue;
       const NormalizedPoint p = geometry.normalize({static_cast<double>(x), static_cast<double>(y)});
       ++painted;
-      explained += int{std::any_of(lines.begin(), lines.end(), [&](const ImageLine& line) {
+      explained += int{std::any_of(lines.begin(), lines.end(), [&](const WedgeLine& line) {
         return line.covers({p.x, p.y}, margin);
       })};
     }
@@ -101,9 +101,9 @@ double explained_share(const PackedMask& mask, const std::vector<ImageLine>& lin
 }
 
 double judge(const PackedMask& mask, const PaintContrast& paint, const MaskGeometry& geometry,
-             ImageLines& seen) {
-  std::erase_if(seen.lines, [&](const ImageLine& line) { return !is_credible(line, paint, geometry); });
-  for (ImageLine& line : seen.lines) line.evidence = line_evidence(line, paint, geometry);
+             WedgeLines& seen) {
+  std::erase_if(seen.lines, [&](const WedgeLine& line) { return !is_credible(line, paint, geometry); });
+  for (WedgeLine& line : seen.lines) line.evidence = line_evidence(line, paint, geometry);
   const double share = static_cast<double>(mask.count()) / (mask.width() * mask.height());
   if (share < kLeastShare || share > kLargestShare) return 0.0;
   return evidence_of(seen.lines) *

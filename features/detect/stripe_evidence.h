@@ -2,7 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "features/detect/image_lines.h"
+#include "features/detect/wedge_lines.h"
 
 namespace lineservo::features {
 
@@ -15,19 +15,19 @@ struct PaintContrast {
 
 /// How sharp the borders of a line are: the step of the contrast across the softer one, 1 when it is that of
 /// paint. Shadows and glare have soft borders.
-double sharpness(const ImageLine& line, const PaintContrast& paint, const MaskGeometry& geometry);
+double sharpness(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry);
 
 /// How much a line looks painted: straight and sharp borders, long, and long for its width. 0…1.
-double line_evidence(const ImageLine& line, const PaintContrast& paint, const MaskGeometry& geometry);
+double line_evidence(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry);
 
 /// Share of the foreground that lies on the lines, 0…1.
-double explained_share(const PackedMask& mask, const std::vector<ImageLine>& lines,
+double explained_share(const PackedMask& mask, const std::vector<WedgeLine>& lines,
                        const MaskGeometry& geometry);
 
 /// Weighs every line, drops those that are not credible, and says how much the mask looks like painted lines
 /// and nothing else: evidence of its best line and some of the others', times what the lines explain of it;
 /// 0 where paint covers less than 0.2 % or more than 55 %.
 double judge(const PackedMask& mask, const PaintContrast& paint, const MaskGeometry& geometry,
-             ImageLines& seen);
+             WedgeLines& seen);
 
 }  // namespace lineservo::features

@@ -24,8 +24,8 @@ DetectionReport a_cross() {
                          .detection = {},
                          .perception_ms = 12.5,
                          .error = {}};
-  report.detection.lines = {features::pixel_line({320.0, 479.0}, {320.0, 0.0}),
-                            features::pixel_line({639.0, 240.0}, {0.0, 240.0})};
+  report.detection.lines = {features::line_through({320.0, 479.0}, {320.0, 0.0}),
+                            features::line_through({639.0, 240.0}, {0.0, 240.0})};
   report.detection.color = features::LineColor::black;
   report.detection.code = features::JunctionCode::cross;
   report.detection.junction_px = features::PixelPoint{320.0, 240.0};

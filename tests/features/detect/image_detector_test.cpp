@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "features/line/line_methods.h"
 #include "tests/features/detect/floor_pictures.h"
 
 namespace lineservo::features {
@@ -18,13 +19,13 @@ Floor along(double heading_rad, double width_m = kStripe_m) {
 }
 
 /// The centreline through the floor's origin, in the picture.
-PixelLine true_line(const MaskGeometry& geometry, const Pose& pose, double heading_rad) {
+ImageLine true_line(const MaskGeometry& geometry, const Pose& pose, double heading_rad) {
   const Eigen::Vector2d way(std::cos(heading_rad), std::sin(heading_rad));
-  return pixel_line(pixel_of(geometry, pose, -0.1 * way), pixel_of(geometry, pose, 0.1 * way));
+  return line_through(pixel_of(geometry, pose, -0.1 * way), pixel_of(geometry, pose, 0.1 * way));
 }
 
 /// Both lines cross the middle of the true one at nearly the same place and angle.
-void expect_same_line(const PixelLine& line, const PixelLine& truth, double within_px, double within_deg) {
+void expect_same_line(const ImageLine& line, const ImageLine& truth, double within_px, double within_deg) {
   const double x = 0.5 * (truth.begin.x + truth.end.x), y = 0.5 * (truth.begin.y + truth.end.y);
   EXPECT_NEAR(x * std::cos(line.theta_rad) + y * std::sin(line.theta_rad), line.rho_px, within_px);
   EXPECT_NEAR(degrees(std::remainder(line.theta_rad - truth.theta_rad, kPi)), 0.0, within_deg);
@@ -35,19 +36,6 @@ Scene scene_of(LineColor color) {
   scene.paint_bgr = paint_of(color);
   scene.floor_bgr = floor_for(color);
   return scene;
-}
-
-TEST(PixelLine, IsSignedWithThetaInItsRange) {
-  const PixelLine upright = pixel_line({100.0, 200.0}, {100.0, 0.0});
-  EXPECT_NEAR(upright.theta_rad, 0.0, 1e-12);
-  EXPECT_NEAR(upright.rho_px, 100.0, 1e-9);
-  const PixelLine level = pixel_line({200.0, 50.0}, {0.0, 50.0});
-  EXPECT_NEAR(level.theta_rad, kPi / 2.0, 1e-12);
-  EXPECT_NEAR(level.rho_px, 50.0, 1e-9);
-  // y = x + 10: −x/√2 + y/√2 = 10/√2, so θ = −45° and ρ = −10/√2.
-  const PixelLine diagonal = pixel_line({0.0, 10.0}, {100.0, 110.0});
-  EXPECT_NEAR(diagonal.theta_rad, -kPi / 4.0, 1e-12);
-  EXPECT_NEAR(diagonal.rho_px, -10.0 / std::sqrt(2.0), 1e-9);
 }
 
 TEST(ImageDetector, FindsEveryColourUnderUnevenLight) {
@@ -238,10 +226,17 @@ TEST(AutoSegmenter, GivesTheMaskOfThePaint) {
   EXPECT_FALSE(segmenter.color());
 }
 
-TEST(DetectMethods, AreFoundByName) {
-  EXPECT_EQ(detect_method("stripe").name, "stripe");
-  EXPECT_EQ(detect_methods().front().name, "stripe");
-  EXPECT_THROW(detect_method("stripes"), std::invalid_argument);
+TEST(ImageDetector, EveryLineMethodFindsTheLineOfAPlainPicture) {
+  const MaskGeometry geometry = assumed_geometry(320, 240);
+  const Pose pose{.x_m = 0.02, .y_m = 0.05, .heading_rad = 0.15};
+  const cv::Mat picture = photograph(geometry, pose, along(0.0), scene_of(LineColor::yellow));
+  for (const LineMethod& method : line_methods()) {
+    const ImageDetection seen = ImageDetector({.method = std::string(method.name)}).detect(picture);
+    ASSERT_FALSE(seen.lines.empty()) << method.name;
+    if (method.name == "naive") continue;  // finds a border, half a width off
+    expect_same_line(seen.lines.front(), true_line(geometry, pose, 0.0), 6.0, 4.0);
+  }
+  EXPECT_THROW(ImageDetector({.method = "stripes"}), std::invalid_argument);
 }
 
 }  // namespace

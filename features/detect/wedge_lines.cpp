@@ -1,4 +1,4 @@
-#include "features/detect/image_lines.h"
+#include "features/detect/wedge_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,28 +24,28 @@ double along_of(const StripeAxes& axes, const LevelPoint& point) {
 
 }  // namespace
 
-bool ImageLine::covers(const Eigen::Vector2d& p_L, double margin) const {
+bool WedgeLine::covers(const Eigen::Vector2d& p_L, double margin) const {
   const StripeAxes axes(wedge.course);
   const double along = axes.along(p_L);
   return along > begin - margin && along < end + margin &&
          std::abs(axes.across(p_L)) < 0.5 * width_at(along) + margin;
 }
 
-ImageLineFinder::ImageLineFinder(const MaskGeometry& geometry)
+WedgeLineFinder::WedgeLineFinder(const MaskGeometry& geometry)
     : geometry_(geometry), stripes_(geometry, options_for(geometry)) {}
 
-ImageLines ImageLineFinder::find(const PackedMask& mask) {
+WedgeLines WedgeLineFinder::find(const PackedMask& mask) {
   const StripeFeatures& found = stripes_.observe(mask.view(), LevelView());
   const LevelMask level_mask(mask.view(), geometry_, LevelView());
-  ImageLines seen{.lines = {}, .junction = found.junction, .code = found.raw};
+  WedgeLines seen{.lines = {}, .junction = found.junction, .code = found.raw};
   for (const LineFeature& stripe : found.lines) seen.lines.push_back(refined(stripe, level_mask));
   return seen;
 }
 
-ImageLine ImageLineFinder::refined(const LineFeature& stripe, const LevelMask& mask) const {
+WedgeLine WedgeLineFinder::refined(const LineFeature& stripe, const LevelMask& mask) const {
   const StripeCourse parallel{stripe.theta_rad, stripe.rho, stripe.width};
   const StripeAxes axes(parallel);
-  ImageLine line{.wedge = {.course = parallel},
+  WedgeLine line{.wedge = {.course = parallel},
                  .begin = along_of(axes, stripe.begin),
                  .end = along_of(axes, stripe.end),
                  .quality = stripe.quality};

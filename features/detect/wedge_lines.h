@@ -13,7 +13,7 @@
 namespace lineservo::features {
 
 /// A painted line of one picture, in level coordinates.
-struct ImageLine {
+struct WedgeLine {
   Wedge wedge;
   double begin = 0.0, end = 0.0;  ///< of StripeAxes; end is forward
   double quality = 0.0;           ///< share of its visible border that a straight wedge explains, 0…1
@@ -32,25 +32,25 @@ struct ImageLine {
 };
 
 /// What is seen in one mask.
-struct ImageLines {
-  std::vector<ImageLine> lines;  ///< the best to follow first
+struct WedgeLines {
+  std::vector<WedgeLine> lines;  ///< the best to follow first
   std::optional<JunctionFeature> junction;
   JunctionCode code = JunctionCode::unrecognised;
 };
 
 /// Stripes of a single picture, taken by whatever camera: stripes with parallel borders are found first, then
 /// each is refined to a wedge, as lines seen at a slant are.
-class ImageLineFinder {
+class WedgeLineFinder {
  public:
-  explicit ImageLineFinder(const MaskGeometry& geometry);
+  explicit WedgeLineFinder(const MaskGeometry& geometry);
 
   const MaskGeometry& geometry() const { return geometry_; }
 
   /// Throws std::invalid_argument unless the mask has the size of the geometry.
-  ImageLines find(const PackedMask& mask);
+  WedgeLines find(const PackedMask& mask);
 
  private:
-  ImageLine refined(const LineFeature& stripe, const LevelMask& mask) const;
+  WedgeLine refined(const LineFeature& stripe, const LevelMask& mask) const;
 
   MaskGeometry geometry_;
   StripePerception stripes_;
