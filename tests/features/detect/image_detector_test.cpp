@@ -231,12 +231,16 @@ TEST(ImageDetector, EveryLineMethodFindsTheLineOfAPlainPicture) {
   const Pose pose{.x_m = 0.02, .y_m = 0.05, .heading_rad = 0.15};
   const cv::Mat picture = photograph(geometry, pose, along(0.0), scene_of(LineColor::yellow));
   for (const LineMethod& method : line_methods()) {
-    const ImageDetection seen = ImageDetector({.method = std::string(method.name)}).detect(picture);
+    ImageDetectorOptions options;
+    options.method = std::string(method.name);
+    const ImageDetection seen = ImageDetector(options).detect(picture);
     ASSERT_FALSE(seen.lines.empty()) << method.name;
     if (method.name == "naive") continue;  // finds a border, half a width off
     expect_same_line(seen.lines.front(), true_line(geometry, pose, 0.0), 6.0, 4.0);
   }
-  EXPECT_THROW(ImageDetector({.method = "stripes"}), std::invalid_argument);
+  ImageDetectorOptions unknown;
+  unknown.method = "stripes";
+  EXPECT_THROW(ImageDetector{unknown}, std::invalid_argument);
 }
 
 }  // namespace
