@@ -27,9 +27,8 @@ volatile std::sig_atomic_t interrupted = 0;
 /// As typed; what was not typed keeps the value of --config or the default.
 struct FlyArguments {
   std::string target;
-  std::optional<std::string> controller, layout, conditions, config, out;
+  std::optional<std::string> controller, layout, conditions, config, out, seed;
   std::optional<double> speed_m_s;
-  std::optional<std::uint64_t> seed;
   std::vector<std::string> overrides;
   bool land = false, explain = false, json = false;
 };
@@ -40,7 +39,7 @@ FlightRequest request_of(const FlyArguments& a) {
   if (!a.target.empty()) request.instruction = a.target;
   if (a.controller) request.controller = *a.controller;
   if (a.layout) request.layout = *a.layout;
-  if (a.seed) request.seed = *a.seed;
+  if (a.seed) request.seed = read_seed(*a.seed, fmt::format("--seed {}", *a.seed));
   if (a.land) request.land = true;
   if (a.speed_m_s) apply_override(request, fmt::format("speed_m_s={}", *a.speed_m_s));
   for (const std::string& assignment : a.overrides) apply_override(request, assignment);

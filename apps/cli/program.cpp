@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 
 #include "apps/cli/detect_command.h"
@@ -36,6 +37,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) tr
 }  // namespace
 
 int run_program(int argc, char** argv) try {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, as on a full disk
   CLI::App app("lineservo: a quadrotor follows painted floor lines by visual servoing.", "lineservo");
   app.set_version_flag("--version", std::string(kVersion));
   app.require_subcommand(1);

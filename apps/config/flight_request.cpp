@@ -25,13 +25,7 @@ bool take_mission_key(FlightRequest& request, const YamlEntry& entry, const std:
       throw InputError(where + ": 'land' must be true or false");
     return request.land = entry.text == "true", true;
   }
-  if (entry.key == "seed") {
-    const char* end = entry.text.data() + entry.text.size();
-    const auto [stop, error] = std::from_chars(entry.text.data(), end, request.seed);
-    if (error != std::errc{} || stop != end)
-      throw InputError(where + ": 'seed' must be a whole number from 0");
-    return true;
-  }
+  if (entry.key == "seed") return request.seed = read_seed(entry.text, where), true;
   return false;
 }
 
@@ -88,6 +82,14 @@ class NestedWriter {
 };
 
 }  // namespace
+
+std::uint64_t read_seed(const std::string& text, const std::string& where) {
+  std::uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc{} || stop != end) throw InputError(where + ": 'seed' must be a whole number from 0");
+  return seed;
+}
 
 void apply_conditions(FlightRequest& request, const std::string& name_or_path) {
   const YamlReader yaml(find_data(DataKind::conditions, name_or_path));

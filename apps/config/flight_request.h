@@ -19,6 +19,9 @@ struct FlightRequest {
   Settings settings;
 };
 
+/// A seed as text: a whole number from 0. Throws InputError behind `where`.
+std::uint64_t read_seed(const std::string& text, const std::string& where);
+
 /// Puts the settings of conditions (a name that ships, or a file) over those of the request.
 void apply_conditions(FlightRequest& request, const std::string& name_or_path);
 

@@ -69,12 +69,13 @@ TEST(Flight, EveryTickHasTheExposureItsLatencyAgo) {
 }
 
 TEST(Flight, ItsPhasesComeInOrder) {
+  const Flown flown = fly_small();
   std::vector<Phase> phases;
-  for (const TruthSample& s : fly_small().record.truth)
+  for (const TruthSample& s : flown.record.truth)
     if (phases.empty() || phases.back() != s.phase) phases.push_back(s.phase);
-  EXPECT_EQ(phases,
-            (std::vector<Phase>{Phase::take_off, Phase::align, Phase::follow, Phase::dock, Phase::turn,
-                                Phase::follow, Phase::dock, Phase::hover, Phase::finished}));
+  EXPECT_EQ(phases, (std::vector<Phase>{Phase::take_off, Phase::align, Phase::follow, Phase::dock,
+                                        Phase::turn, Phase::follow, Phase::dock, Phase::hover}));
+  EXPECT_EQ(flown.record.last_phase, Phase::finished);
 }
 
 // Values in whole micrometres and microradians, so that another libm cannot flip the hash by a last bit.
@@ -85,7 +86,7 @@ TEST(Flight, A13IsTheFlightThatItAlwaysWas) {
     for (const double value : {s.p_WB.x(), s.p_WB.y(), s.p_WB.z(), s.roll_rad, s.pitch_rad, s.heading_rad})
       text += std::to_string(std::llround(1e6 * value)) + ",";
   }
-  EXPECT_EQ(sha256_hex(text), "golden");
+  EXPECT_EQ(sha256_hex(text), "0ac61398137766775a0429bbd8d9ea4295558d8702afa4f091092bdfec90b857");
 }
 
 class Mission : public ::testing::TestWithParam<std::tuple<const char*, std::uint64_t>> {};
@@ -122,14 +123,16 @@ TEST(Flight, StraightArrivesAtTheLinesEnd) {
   FlightRequest request = request_for("node:end", "ideal");
   request.layout = "straight";
   const Flown flown = fly(request);
-  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  EXPECT_LT(flown.summary.rest->target_error_m, 0.05);
 }
 
 TEST(Flight, BendArrivesAtTheLinesEnd) {
-  FlightRequest request = request_for("node:end", "ideal");
+  FlightRequest request = request_for("node:end", "paper");
   request.layout = "bend";
   const Flown flown = fly(request);
-  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  EXPECT_LT(flown.summary.rest->target_error_m, 0.05);
 }
 
 TEST(Flight, TapeWarehouseArrives) {
@@ -144,8 +147,8 @@ TEST(Flight, LandEndsOnTheGround) {
   request.land = true;
   const Flown flown = fly(request, small_floor(), small_floor());
   EXPECT_EQ(flown.summary.outcome, "landed") << story(flown);
-  EXPECT_LT(flown.record.truth.back().p_WB.z(), 0.1);
-  EXPECT_LT(flown.record.truth.back().v_W.norm(), 0.05);
+  EXPECT_LT(flown.record.truth.back().p_WB.z(), FlightRequest{}.settings.airframe.gear_height_m + 0.01);
+  EXPECT_LT(flown.record.truth.back().v_W.norm(), 0.1);
   EXPECT_LT((flown.record.truth.back().p_WB.head<2>() - flown.summary.target_W).norm(), 0.15);
 }
 
@@ -214,7 +217,8 @@ TEST(Flight, StartsWithinItsSpreadOfTheStartNodeAndFacesTheFirstEdge) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     FlightRequest request = request_for("a03", "ideal", seed);
     apply_override(request, "time_limit_s=1");
-    const TruthSample& first = fly(request).record.truth.front();
+    const Flown flown = fly(request);
+    const TruthSample& first = flown.record.truth.front();
     EXPECT_LE(std::abs(first.p_WB.x() - 0.6), 0.1001);
     EXPECT_LE(std::abs(first.p_WB.y() - 0.6), 0.1001);
     EXPECT_LE(std::abs(first.heading_rad - 1.5707963), 5.01 * 0.017453293);
