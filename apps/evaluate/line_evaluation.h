@@ -13,7 +13,7 @@ namespace lineservo::apps {
 struct LineEvaluationOptions {
   int frames = 100;  ///< of each level and size
   std::uint64_t seed = 1;
-  std::vector<std::string> methods;  ///< empty: all
+  std::vector<std::string> methods = {};  ///< empty: all
 };
 
 /// One row of the table.

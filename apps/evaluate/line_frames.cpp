@@ -146,7 +146,7 @@ void wear(cv::Mat& bgr, const LineFrame& frame, const Scene& scene, double share
   const double focal_px = frame.camera.camera.parameters().fx_px;
   const double width = scene.width_m / scene.height_m;
   const double largest = std::min(0.03 / scene.height_m, 0.25 * width), length = 3.0;
-  const double mean_area = features::kPi * largest * largest / 3.0 * 0.75;
+  const double mean_area = features::kPi * 0.5 * largest * largest * 0.75;  // of r² uniform, axes 0.5…1
   const int blots = static_cast<int>(-std::log1p(-share) * length * width / mean_area);
   for (int k = 0; k < blots; ++k) {
     const Eigen::Vector2d across(-scene.d_L.y(), scene.d_L.x());

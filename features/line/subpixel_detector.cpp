@@ -1,8 +1,10 @@
 #include "features/line/subpixel_detector.h"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "features/geometry/angles.h"
+#include "features/line/mask_pixels.h"
 #include "features/line/scene_check.h"
 #include "features/line/stripe_detector.h"
 
@@ -14,6 +16,15 @@ constexpr double kWedge = 0.12;         // borders that converge lie so far off 
 constexpr double kWedgeFacing = 0.94;   // cos 20°
 constexpr double kLargestShift = 0.15;  // a refinement that goes further has found something else
 constexpr double kLargestTurn_rad = radians(8.0);
+
+// The mask with its holes and nicks of up to a fiftieth of its width filled: worn paint has edges of its own
+// all over, which the search for stripes would take for borders. The image tells later where they are.
+PackedMask filled(const PackedMask& mask) {
+  const int side = 1 + 2 * std::max(1, mask.width() / 100);
+  cv::Mat image = unpacked(mask);
+  cv::morphologyEx(image, image, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
+  return PackedMask::from_mat(image);
+}
 
 // Seen at a tilt that nobody tells, the borders converge: fitted to the mask's border first.
 CurvedCourse wedge(const Stripe& stripe, const std::vector<BorderPoint>& border, const CurvedCourse& start) {
@@ -41,7 +52,7 @@ std::vector<DetectedLine> SubpixelDetector::detect(const LineScene& scene) {
   if (!is_large_enough(scene.image)) return {};
   const CameraPose pose = scene.camera ? *scene.camera : StripeSearch::assumed_camera(scene.image.size());
   std::vector<DetectedLine> lines;
-  for (const Stripe& stripe : search_.find(scene.mask, pose, scene.prior)) {
+  for (const Stripe& stripe : search_.find(filled(scene.mask), pose, scene.prior)) {
     lines.push_back(refined(stripe, scene, pose));
     if (!scene.camera) lines.back().level.reset();
   }
