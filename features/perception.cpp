@@ -9,6 +9,8 @@
 namespace lineservo::features {
 namespace {
 
+constexpr std::string_view kFastPath = "hsv";
+
 std::unique_ptr<LineDetector> detector_of(const std::string& line_method) {
   const LineMethod& method = find_line_method(line_method);
   return line_method == "stripe" ? nullptr : method.make();
@@ -25,7 +27,8 @@ Perception::Perception(const CameraModel& camera, const PerceptionOptions& optio
       line_detector_(detector_of(options.line_method)),
       pose_{camera, LevelView()},
       filter_(options.junction_window),
-      tracker_(options.tracker) {}
+      tracker_(options.tracker),
+      path_segmenter_(options.path.name == kFastPath ? nullptr : make_segmenter(options.path)) {}
 
 FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& context) {
   if (bgr.size() != frame_size_) {
@@ -34,6 +37,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
                                 std::to_string(frame_size_.height));
   }
   segmentation_ = &segmenter_.segment(bgr);
+  if (path_segmenter_) replace_path(bgr);
   profile_of(segmentation_->path, profile_);
   const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), context.view, prior(context));
 
@@ -50,6 +54,18 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   const JunctionCode raw = read_code(stripes, line_ends_ahead);
   features.code = filter_.update(raw, line_ends_ahead);
   return features;
+}
+
+void Perception::replace_path(const cv::Mat& bgr) {
+  const cv::Size size(options_.segmenter.width_px, options_.segmenter.height_px);
+  replaced_ = *segmentation_;
+  replaced_.path = path_segmenter_->segment(bgr, size);
+  if (replaced_.marker_pixels == 0) {
+    replaced_.paint = replaced_.path;
+  } else {
+    replaced_.paint |= replaced_.path;
+  }
+  segmentation_ = &replaced_;
 }
 
 std::optional<StripePrior> Perception::prior(const FrameContext& context) const {

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "features/detect/segmenters.h"
 #include "features/frame_features.h"
 #include "features/geometry/camera_model.h"
 #include "features/geometry/level_view.h"
@@ -38,6 +39,9 @@ struct FrameContext {
 
 struct PerceptionOptions {
   SegmenterOptions segmenter;
+  /// Of segmenter_names(): with hsv the fast path with the ranges above; the others give the path's mask,
+  /// while the start marker stays with the ranges.
+  SegmenterChoice path;
   JunctionMethod junction_method = JunctionMethod::stripe;
   int junction_window = CodeFilter::kDefaultWindow;
   StripePerceptionOptions stripe;
@@ -61,6 +65,7 @@ class Perception {
   const PackedMask& mask() const { return segmentation_->path; }
 
  private:
+  void replace_path(const cv::Mat& bgr);
   std::optional<StripePrior> prior(const FrameContext& context) const;
   void track(std::vector<LineFeature>& lines, const FrameContext& context);
   std::vector<LineFeature> detect_lines(const cv::Mat& bgr, const LevelView& view);
@@ -76,6 +81,8 @@ class Perception {
   CodeFilter filter_;
   LineTracker tracker_;
   MaskProfile profile_;
+  std::unique_ptr<Segmenter> path_segmenter_;  ///< none: the fast path
+  Segmentation replaced_;
   const Segmentation* segmentation_ = nullptr;
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 #include "apps/config/input_error.h"
 #include "apps/config/yaml_reader.h"
@@ -60,6 +62,13 @@ fs::path find_data(DataKind kind, const std::string& name_or_path) {
   if (fs::is_regular_file(name_or_path, error)) return name_or_path;
   throw InputError(fmt::format("no {} '{}': give the path of a YAML file or one of: {}", word_for(kind),
                                name_or_path, names));
+}
+
+std::string shipped_text(const fs::path& file) {
+  std::ifstream stream(data_root() / file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw InputError(fmt::format("{}: cannot be read in the data folder", file.string()));
+  return text;
 }
 
 std::vector<DataEntry> list_data(DataKind kind) {

@@ -13,6 +13,9 @@ enum class DataKind { layout, conditions };
 /// InputError, with the names that there are, for anything else.
 std::filesystem::path find_data(DataKind kind, const std::string& name_or_path);
 
+/// The text of a file that ships, by its path in the data folder ("models/yellow.yaml"). Throws InputError.
+std::string shipped_text(const std::filesystem::path& file);
+
 /// What ships of a kind: name and description, in order of names.
 struct DataEntry {
   std::string name;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "apps/config/input_error.h"
+#include "features/detect/segmenters.h"
 #include "features/line/line_methods.h"
 
 namespace lineservo::apps {
@@ -78,6 +79,9 @@ void SettingsTable::bind_camera(CameraSettings& c) {
 void SettingsTable::bind_features(FeatureSettings& f) {
   word("features.junction.method", f.junction_method, {"auto", "fpd", "stripe"});
   whole("features.junction.window", f.junction_window, {1, 3, 5, 7, 9});
+  std::vector<std::string> segmenters;
+  for (const std::string_view name : features::segmenter_names()) segmenters.emplace_back(name);
+  word("features.segmenter", f.segmenter, segmenters);
   std::vector<std::string> methods;
   for (const features::LineMethod& method : features::line_methods()) methods.emplace_back(method.name);
   word("features.line.method", f.line_method, methods);

@@ -1,5 +1,6 @@
 #include "apps/flight/convert.h"
 
+#include "apps/config/data_folder.h"
 #include "features/geometry/angles.h"
 
 namespace lineservo::apps {
@@ -59,6 +60,8 @@ features::PerceptionOptions perception_options(const FeatureSettings& settings, 
   options.junction_method =
       method == "fpd" ? features::JunctionMethod::fpd : features::JunctionMethod::stripe;
   options.junction_window = settings.junction_window;
+  options.path.name = settings.segmenter;
+  if (settings.segmenter == "svm") options.path.svm_model = shipped_text("models/yellow.yaml");
   options.line_filter =
       settings.line_filter == "kalman" ? features::LineFilter::kalman : features::LineFilter::none;
   return options;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,9 +11,9 @@
 namespace lineservo::features {
 
 struct SegmenterChoice {
-  std::string_view name = "hsv";        ///< of segmenter_names()
+  std::string name = "hsv";             ///< of segmenter_names()
   LineColor color = LineColor::yellow;  ///< for hsv
-  std::string_view svm_model = {};      ///< text of the colour model, for svm
+  std::string svm_model = {};           ///< text of the colour model, for svm
 };
 
 /// hsv (topology), difference (vtp; red), svm (grid) and auto (ours).
