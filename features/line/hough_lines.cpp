@@ -39,6 +39,13 @@ Cluster* nearest(std::vector<Cluster>& clusters, const ImageLine& line, const Cl
   return best;
 }
 
+double most_votes(const std::vector<Cluster>& clusters, bool up) {
+  double most = 0.0;
+  for (const Cluster& cluster : clusters)
+    if (runs_up(cluster.mean) == up) most = std::max(most, cluster.top);
+  return most;
+}
+
 }  // namespace
 
 std::vector<VotedLine> hough_lines(const cv::Mat& binary, int least_votes) {
@@ -59,8 +66,9 @@ std::vector<ImageLine> cluster_lines(const std::vector<VotedLine>& lines, const 
     else
       clusters.push_back({voted.line, voted.votes, voted.votes});
   }
-  std::stable_sort(clusters.begin(), clusters.end(), [](const Cluster& a, const Cluster& b) {
-    if (runs_up(a.mean) != runs_up(b.mean)) return runs_up(a.mean);
+  const bool up_first = up_comes_first(most_votes(clusters, true), most_votes(clusters, false));
+  std::stable_sort(clusters.begin(), clusters.end(), [up_first](const Cluster& a, const Cluster& b) {
+    if (runs_up(a.mean) != runs_up(b.mean)) return runs_up(a.mean) == up_first;
     return a.top > b.top;
   });
   std::vector<ImageLine> means;

@@ -22,6 +22,11 @@ inline bool runs_up(const ImageLine& line) {
   return std::abs(line.theta_rad) <= 0.25 * 3.14159265358979323846;
 }
 
+/// Which topic comes first by the votes of its best line: up, unless it has less than a third of the other's.
+inline bool up_comes_first(double up_votes, double across_votes) {
+  return up_votes >= across_votes / 3.0;
+}
+
 /// How near lines must be to be one (grid §IV-B2, Fig. 8).
 struct ClusterReach {
   double rho_px = 0.0;
@@ -29,8 +34,9 @@ struct ClusterReach {
 };
 
 /// Mean clustering in (ρ, θ) of each topic (grid §IV-B2, §V): a line joins the nearest cluster of its topic
-/// within reach, and the cluster takes the mean, each line by its votes. Those that run up come first, of
-/// each topic the one with most votes, and at most two of each.
+/// within reach, and the cluster takes the mean, each line by its votes. Those that run up come first unless
+/// the best of them has less than a third of the votes of the best that runs across: then it is a fork at the
+/// end of a skeleton. Of each topic the one with most votes comes first, and at most two of each are given.
 std::vector<ImageLine> cluster_lines(const std::vector<VotedLine>& lines, const ClusterReach& reach);
 
 }  // namespace lineservo::features

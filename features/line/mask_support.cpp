@@ -11,6 +11,7 @@ constexpr double kLeastShare = 5e-4, kMostShare = 0.95;  // of the mask that is 
 constexpr double kLeastPainted = 0.55;                   // of the line between its ends
 constexpr double kLeastLength = 0.1;                     // of the mask's long side
 constexpr int kPlaces = 64;                              // where the width is measured
+constexpr int kFewest = 3;                               // of them must show both sides of the paint
 constexpr double kPixelVariance = 1.0 / 12.0;            // of rounding to pixels
 
 bool painted(const PackedMask& mask, const PixelPoint& p) {
@@ -110,7 +111,7 @@ std::optional<ImageLine> supported_line(const ImageLine& line, const PackedMask&
   if (!stretch || stretch->share < kLeastPainted) return std::nullopt;
   if (stretch->to - stretch->from < kLeastLength * std::max(mask.width(), mask.height())) return std::nullopt;
   const std::vector<Crossing> crossings = crossings_of(line, mask, *stretch);
-  if (std::ssize(crossings) < kPlaces / 8) return std::nullopt;
+  if (std::ssize(crossings) < kFewest) return std::nullopt;
   ImageLine supported = line;
   supported.width_px = median_width(crossings);
   supported.covariance = covariance_of(crossings, supported.width_px);

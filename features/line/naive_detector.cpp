@@ -11,7 +11,8 @@
 namespace lineservo::features {
 namespace {
 
-constexpr double kLeastVotes = 0.35;  // of the image's short side
+constexpr double kLeastVotes = 0.35;  // of the image's short side,
+constexpr int kMostVotes = 150;       // but not more: a bin of Hough's holds no more of a slanted line
 
 cv::Mat edges_of(const cv::Mat& image) {
   cv::Mat grey = image, edges;
@@ -42,15 +43,18 @@ DetectedLine completed(const VotedLine& voted, const LineScene& scene) {
 std::vector<DetectedLine> NaiveDetector::detect(const LineScene& scene) {
   require_image(scene.image);
   if (!is_large_enough(scene.image)) return {};
-  const int least_votes =
-      std::max(8, static_cast<int>(kLeastVotes * std::min(scene.image.cols, scene.image.rows)));
+  const double share = kLeastVotes * std::min(scene.image.cols, scene.image.rows);
+  const int least_votes = std::clamp(static_cast<int>(share), 8, kMostVotes);
   const std::vector<VotedLine> lines = hough_lines(edges_of(scene.image), least_votes);
+  const auto best_of = [&lines](bool up) {
+    return std::find_if(lines.begin(), lines.end(),
+                        [up](const VotedLine& voted) { return runs_up(voted.line) == up; });
+  };
+  const auto votes_of = [&](bool up) { return best_of(up) == lines.end() ? 0.0 : best_of(up)->votes; };
+  const bool up_first = up_comes_first(votes_of(true), votes_of(false));
   std::vector<DetectedLine> detected;
-  for (const bool up : {true, false}) {
-    const auto best = std::find_if(lines.begin(), lines.end(),
-                                   [up](const VotedLine& voted) { return runs_up(voted.line) == up; });
-    if (best != lines.end()) detected.push_back(completed(*best, scene));
-  }
+  for (const bool up : {up_first, !up_first})
+    if (best_of(up) != lines.end()) detected.push_back(completed(*best_of(up), scene));
   return detected;
 }
 

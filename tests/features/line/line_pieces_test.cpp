@@ -43,13 +43,22 @@ TEST(HoughClusters, NearLinesBecomeTheirMeanByVotes) {
   const auto means = cluster_lines({{canonical_line(100.0, radians(2.0)), 30.0},
                                     {canonical_line(108.0, radians(-2.0)), 10.0},
                                     {canonical_line(300.0, radians(0.0)), 5.0},
-                                    {canonical_line(200.0, radians(88.0)), 90.0}},
+                                    {canonical_line(200.0, radians(88.0)), 55.0}},
                                    reach);
   ASSERT_EQ(means.size(), 3u);  // up before across
   EXPECT_NEAR(means[0].rho_px, 102.0, 1e-9);
   EXPECT_NEAR(means[0].theta_rad, radians(1.0), 1e-12);
   EXPECT_NEAR(means[1].rho_px, 300.0, 1e-9);
   EXPECT_NEAR(means[2].rho_px, 200.0, 1e-9);
+}
+
+TEST(HoughClusters, AForkWithFewVotesDoesNotComeBeforeTheLineAcross) {
+  const ClusterReach reach{20.0, radians(10.0)};
+  const VotedLine fork{canonical_line(100.0, radians(40.0)), 30.0};
+  EXPECT_NEAR(cluster_lines({{canonical_line(200.0, radians(88.0)), 91.0}, fork}, reach)[0].rho_px, 200.0,
+              1e-9);
+  EXPECT_NEAR(cluster_lines({{canonical_line(200.0, radians(88.0)), 89.0}, fork}, reach)[0].rho_px, 100.0,
+              1e-9);
 }
 
 TEST(HoughClusters, TheMeanOfLinesAcrossTheWrapStaysThere) {

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "features/geometry/angles.h"
+#include "features/line/line_methods.h"
+#include "features/perception.h"
 #include "tests/features/line/drawn_stripe.h"
 
 namespace lineservo::features {
@@ -160,6 +162,26 @@ TEST(SubpixelDetector, WhatTheImageDoesNotShowStaysAsTheMaskHasIt) {
   ASSERT_FALSE(lines.empty());
   expect_line(lines[0].image, stripe, 0.5, 0.15);
   EXPECT_LE(lines[0].image.quality, 0.5);
+}
+
+TEST(PerceptionLineMethod, GivesTheLinesOfTheMethodThatIsChosen) {
+  const DrawnStripe stripe{319.5 + 40.0, 0.0, 64.0};  // ρ = 40/320, width 0.2
+  const cv::Mat image = draw_image(kSize, {stripe});
+  for (const LineMethod& method : line_methods()) {
+    PerceptionOptions options;
+    options.line_method = method.name;
+    const FrameFeatures features = Perception(camera(), options).observe(image, LevelView());
+    ASSERT_NE(features.line(), nullptr) << method.name;
+    const double off = method.name == "naive" ? 0.11 : method.name == "subpixel" ? 1e-4 : 6e-3;
+    EXPECT_NEAR(features.line()->rho, 0.125, off) << method.name;
+    EXPECT_EQ(features.code.raw, JunctionCode::straight) << method.name;
+  }
+}
+
+TEST(PerceptionLineMethod, RefusesAnUnknownLineMethod) {
+  PerceptionOptions options;
+  options.line_method = "hough";
+  EXPECT_THROW(Perception(camera(), options), std::invalid_argument);
 }
 
 TEST(BorderRefiner, RefusesOptionsOutOfBounds) {
