@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "features/geometry/angles.h"
+#include "features/line/stripe_extent.h"
 
 namespace lineservo::features {
 
@@ -36,7 +37,7 @@ const StripeFeatures& StripePerception::observe(const MaskView& mask, const Leve
     features_.arms = visible_arms(level_mask, junction->feature.centre, junction->arms, options_.visibility);
   }
   features_.raw = code();
-  features_.line_ends_ahead = ends_ahead(junction);
+  features_.line_ends_ahead = ends_ahead(level_mask, junction);
   return features_;
 }
 
@@ -46,10 +47,12 @@ JunctionCode StripePerception::code() const {
   return features_.arms == Arms{} ? JunctionCode::straight : code_of(features_.arms);
 }
 
-bool StripePerception::ends_ahead(const std::optional<StripeJunction>& junction) const {
+bool StripePerception::ends_ahead(const LevelMask& mask,
+                                  const std::optional<StripeJunction>& junction) const {
   if (stripes_.empty() || stripes_.front().end.leaves_view) return false;
   const Stripe& followed = stripes_.front();
-  if (followed.end.bare >= options_.certain_end) return true;
+  if (followed.end.bare >= options_.certain_end)
+    return junction || !paint_bends_away(mask, followed.course, followed.end.along);
   if (!junction || followed.end.bare < options_.junction_end) return false;
   const Eigen::Vector2d forward = followed.course.forward();
   const double heading_rad = std::atan2(-forward.x(), -forward.y());

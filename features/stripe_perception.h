@@ -46,7 +46,7 @@ class StripePerception {
   const std::vector<BorderPoint>& border_points() const { return points_; }
 
  private:
-  bool ends_ahead(const std::optional<StripeJunction>& junction) const;
+  bool ends_ahead(const LevelMask& mask, const std::optional<StripeJunction>& junction) const;
   JunctionCode code() const;
 
   MaskGeometry geometry_;

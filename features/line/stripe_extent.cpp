@@ -1,6 +1,9 @@
 #include "features/line/stripe_extent.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "features/geometry/angles.h"
 
 namespace lineservo::features {
 namespace {
@@ -45,6 +48,19 @@ StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double alo
     }
   }
   return end;
+}
+
+bool paint_bends_away(const LevelMask& mask, const StripeCourse& course, double end_along) {
+  constexpr double kLeastRadius = 0.15;
+  constexpr int kSteps = 5;  // of 15° to either side
+  const StripeAxes axes(course);
+  const double radius = std::max(course.width, kLeastRadius);
+  for (int k = -kSteps; k <= kSteps; ++k) {
+    const double angle_rad = radians(15.0 * k);
+    const Eigen::Vector2d p = axes.at(end_along + radius * std::cos(angle_rad), radius * std::sin(angle_rad));
+    if (mask.at(p) == Paint::painted) return true;
+  }
+  return false;
 }
 
 double border_in_view(const LevelMask& mask, const StripeAxes& axes, double from, double to) {

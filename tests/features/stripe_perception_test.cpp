@@ -273,6 +273,18 @@ TEST_F(Perception, AnArcGivesItsLocalTangentOnce) {
   EXPECT_FALSE(seen.junction);
 }
 
+TEST_F(Perception, ALineThatBendsAwayDoesNotEnd) {
+  for (double start_m = 0.0; start_m < 0.3; start_m += 0.02) {
+    Floor bend;  // straight ahead, then an arc of radius 1.5 m to the left over 45°
+    bend.strips.push_back({{-1.0, 0.0}, {start_m, 0.0}, 0.1});
+    const auto at = [=](double a) {
+      return Eigen::Vector2d(start_m + 1.5 * std::sin(a), 1.5 - 1.5 * std::cos(a));
+    };
+    for (int k = 0; k < 78; ++k) bend.strips.push_back({at(0.01 * k), at(0.01 * (k + 1) + 0.002), 0.1});
+    EXPECT_FALSE(see(bend, Pose{}).line_ends_ahead) << start_m;
+  }
+}
+
 TEST_F(Perception, NothingIsFoundWhereThereIsNoLine) {
   const Pose pose{};
   TestMask empty(test::kMaskSize, test::kMaskSize), full = empty, noise = empty, disc = empty;

@@ -66,7 +66,7 @@ TEST(DifferenceSegmenter, RefusesOptionsOutOfBounds) {
 
 TEST(Segmenters, EachHasTheSizeThatWasAskedFor) {
   for (const std::string_view name : {"hsv", "difference", "auto"}) {
-    const PackedMask mask = make_segmenter({.name = name})->segment(stripe(kGrey, {20, 40, 200}), {48, 32});
+    const PackedMask mask = make_segmenter({.name = std::string(name)})->segment(stripe(kGrey, {20, 40, 200}), {48, 32});
     EXPECT_EQ(mask.width(), 48) << name;
     EXPECT_EQ(mask.height(), 32) << name;
   }
@@ -74,7 +74,7 @@ TEST(Segmenters, EachHasTheSizeThatWasAskedFor) {
 
 TEST(Segmenters, RefuseWhatTheyCannotTake) {
   for (const std::string_view name : {"hsv", "difference", "auto"}) {
-    const auto segmenter = make_segmenter({.name = name});
+    const auto segmenter = make_segmenter({.name = std::string(name)});
     EXPECT_THROW(segmenter->segment(cv::Mat(), {64, 64}), std::invalid_argument) << name;
     EXPECT_THROW(segmenter->segment(cv::Mat(64, 64, CV_32FC1), {64, 64}), std::invalid_argument) << name;
     EXPECT_THROW(segmenter->segment(cv::Mat(64, 15, CV_8UC3), {64, 64}), std::invalid_argument) << name;

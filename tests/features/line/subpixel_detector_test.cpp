@@ -170,7 +170,7 @@ TEST(PerceptionLineMethod, GivesTheLinesOfTheMethodThatIsChosen) {
   for (const LineMethod& method : line_methods()) {
     PerceptionOptions options;
     options.line_method = method.name;
-    const FrameFeatures features = Perception(camera(), options).observe(image, LevelView());
+    const FrameFeatures features = Perception(camera(), options).observe(image, FrameContext{});
     ASSERT_NE(features.line(), nullptr) << method.name;
     const double off = method.name == "naive" ? 0.11 : method.name == "subpixel" ? 1e-4 : 6e-3;
     EXPECT_NEAR(features.line()->rho, 0.125, off) << method.name;
