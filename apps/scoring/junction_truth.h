@@ -10,7 +10,7 @@
 
 namespace lineservo::apps {
 
-/// What a frame truly shows, by the rule of SPEC §4.
+/// What a frame truly shows, by the rule of codes.md.
 struct CodeTruth {
   features::JunctionCode code = features::JunctionCode::unrecognised;
   std::vector<features::JunctionCode>

@@ -14,8 +14,8 @@ struct OffsetStatistics {
   double rmse_m, max_m, mae_m, std_m, mean_m;
 };
 
-/// One leg of SPEC §6. Its error is the distance of the true body origin to the true centreline; during the
-/// turn that ends it, to the nearer of the two edges, each ending at the node.
+/// One leg of apps/results.md. Its error is the distance of the true body origin to the true centreline;
+/// during the turn that ends it, to the nearer of the two edges, each ending at the node.
 struct LegScore {
   std::string from, to, axis;
   OffsetStatistics whole;

@@ -41,7 +41,7 @@ enum class Trend { none, constant, rising, falling, rising_falling, other };
 /// end of an arm leaves it, thus does not part a level in two.)
 Trend trend_of(std::span<const double> cluster_means_permille);
 
-/// SPEC's table of trends; J1 for a pair that it does not hold.
+/// The table of trends in codes.md; J1 for a pair that it does not hold.
 JunctionCode code_of(Trend columns, Trend rows);
 
 /// Whether the topmost bins are empty and lower ones are not: the line that is followed stops in view, at a

@@ -33,7 +33,8 @@ struct Arms {
   friend bool operator==(const Arms&, const Arms&) = default;
 };
 
-/// The code of a set of visible arms: SPEC's table {F,B,L,R} → J3 … {L,R} or nothing → J1; one arm → J2.
+/// The code of a set of visible arms: the table of codes.md {F,B,L,R} → J3 … {L,R} or nothing → J1; one arm →
+/// J2.
 JunctionCode code_of(const Arms& arms);
 
 }  // namespace lineservo::features

@@ -27,7 +27,7 @@ struct ArmVisibility {
 /// the node's square; (0, 0) if none of it is in view.
 Eigen::Vector2d visible_arm_size_px(const LevelMask& mask, LevelPoint centre, const JunctionArm& arm);
 
-/// Which of a junction's arms are visible by SPEC's rule for the ground truth.
+/// Which of a junction's arms are visible by the rule of codes.md.
 Arms visible_arms(const LevelMask& mask, LevelPoint centre, const std::vector<JunctionArm>& arms,
                   const ArmVisibility& rule = {});
 

@@ -108,7 +108,7 @@ void Executive::observe(const Observation& observation) {
 }
 
 // A first-order low pass, v ← p·v + (1 − p)·(v̂ + d̂) with p = exp(−dt/τ): the noise of the estimate is as
-// large as the speed below which the vehicle counts as at rest (SPEC §8).
+// large as the speed below which the vehicle counts as at rest (vehicle/README.md).
 void Executive::smooth_velocity(const Observation& observation) {
   const Eigen::Vector2d v_H_m_s = observation.v_H_m_s.head<2>() + node_drift_H_m_s(observation);
   if (!v_H_m_s.allFinite()) return;

@@ -35,9 +35,10 @@ struct PhaseOptions {
   double align_limit_s = 15.0;
   double settle_s = 0.3;          ///< for which a condition must hold
   double line_memory_s = 1.0;     ///< without a line before it counts as lost
-  double length_tolerance = 0.2;  ///< of an edge's length, SPEC §3
+  double length_tolerance = 0.2;  ///< of an edge's length, data/README.md
   double length_slack_m = 0.6;    ///< on top: half the view, where a node is told before it is reached
-  double odometry_drift_m_s = 0.03;  ///< by which the dead reckoning may be off: three times the velocity bias
+  double odometry_drift_m_s =
+      0.03;  ///< by which the dead reckoning may be off: three times the velocity bias
   double dock_distance_m = 0.015;
   double dock_speed_m_s = 0.03;
   double dock_limit_s = 20.0;
@@ -56,7 +57,7 @@ struct Situation {
   double line_unseen_s = 0.0;
   std::optional<double> line_angle_rad;
   std::optional<double> line_offset_m;
-  double travelled_m = 0.0;               ///< since the last node
+  double travelled_m = 0.0;  ///< since the last node
   double since_node_s = 0.0;
   const PlanStep* step = nullptr;         ///< what is expected next
   std::optional<NodeSighting> node;       ///< told in this tick

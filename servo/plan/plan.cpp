@@ -15,7 +15,7 @@ using features::JunctionCode;
 using features::kPi;
 using features::wrap_angle;
 
-constexpr double kArmTolerance_rad = features::radians(25.0);  // SPEC §4
+constexpr double kArmTolerance_rad = features::radians(25.0);  // codes.md
 
 bool near(double angle_rad, double direction_rad) {
   return std::abs(wrap_angle(angle_rad - direction_rad)) <= kArmTolerance_rad;

@@ -198,7 +198,7 @@ inline Eigen::Vector2d course_error(double rho, double theta_rad, const StripeCo
   return {-rho - truth.rho, wrap_angle(turn + kPi)};
 }
 
-/// The code of SPEC §4 for the node at the origin, and by how many pixels its closest call was decided.
+/// The code of codes.md for the node at the origin, and by how many pixels its closest call was decided.
 struct CodeTruth {
   JunctionCode code = JunctionCode::unrecognised;
   double margin_px = std::numeric_limits<double>::infinity();

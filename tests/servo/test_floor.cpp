@@ -15,7 +15,7 @@ using features::LineFeature;
 using features::radians;
 using features::wrap_angle;
 
-/// SPEC §4: an arm counts when 20 of the 400 pixels of it are in view along x and along y.
+/// codes.md: an arm counts when 20 of the 400 pixels of it are in view along x and along y.
 constexpr double kVisibleAlongX = 20.0 / 400.0 * 2.0 * TestFloor::kViewHalfWidth;
 constexpr double kVisibleAlongY = 20.0 / 400.0 * 2.0 * TestFloor::kViewHalfHeight;
 
@@ -64,7 +64,7 @@ bool near(double angle_rad, double direction_rad) {
   return std::abs(wrap_angle(angle_rad - direction_rad)) < radians(25.0);
 }
 
-/// The arms of a node that SPEC §4 counts as seen, and whether the line stops ahead in view.
+/// The arms of a node that codes.md counts as seen, and whether the line stops ahead in view.
 features::CodeReading reading(const LevelPoint& node, double half_stripe, const std::vector<double>& angles) {
   const auto painted = [&](double direction_rad) {
     return std::any_of(angles.begin(), angles.end(), [&](double a) { return near(a, direction_rad); });

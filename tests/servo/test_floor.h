@@ -59,11 +59,12 @@ class TestFloor {
   std::map<std::string, std::size_t> labels_;
 };
 
-/// SPEC §3's grid, zone a: 6 columns at 3.6 m, 5 rows at 6.8/3 m, a node a00 … a54 on each crossing.
+/// The grid of data/README.md, zone a: 6 columns at 3.6 m, 5 rows at 6.8/3 m, a node a00 … a54 on each
+/// crossing.
 TestFloor warehouse_floor();
-/// SPEC §3, zone b: a square of side 9.6 m, T stubs of 0.6 m to the inside at the mid-sides b00 … b03.
+/// data/README.md, zone b: a square of side 9.6 m, T stubs of 0.6 m to the inside at the mid-sides b00 … b03.
 TestFloor square_floor();
-/// SPEC §3, zone c: an octagon of apothem 4.8 m with stubs at the mid-sides c00 … c07.
+/// data/README.md, zone c: an octagon of apothem 4.8 m with stubs at the mid-sides c00 … c07.
 TestFloor octagon_floor();
 
 /// The pose on a node, facing a heading, at height h.

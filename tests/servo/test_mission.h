@@ -14,7 +14,7 @@
 
 namespace lineservo::servo::testing {
 
-/// The mode of the last five raw codes, ties to the first (SPEC §4); J1 is held.
+/// The mode of the last five raw codes, ties to the first (codes.md); J1 is held.
 class CodeWindow {
  public:
   void filter(features::CodeReading& code) {

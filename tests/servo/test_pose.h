@@ -22,7 +22,8 @@ inline Eigen::Vector2d in_heading_frame(const Pose& pose, const Eigen::Vector2d&
   return Eigen::Rotation2Dd(-pose.heading_rad) * (point_W - pose.p_W);
 }
 
-/// A floor point in the level camera, from SPEC's axes alone: x_C = −y_H, y_C = −x_H, at depth h.
+/// A floor point in the level camera, from the axes of conventions.md alone: x_C = −y_H, y_C = −x_H, at depth
+/// h.
 inline features::LevelPoint seen_point(const Pose& pose, const Eigen::Vector2d& point_W) {
   const Eigen::Vector2d p_H = in_heading_frame(pose, point_W);
   return {-p_H.y() / pose.height_m, -p_H.x() / pose.height_m};

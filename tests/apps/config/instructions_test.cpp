@@ -128,7 +128,7 @@ std::string told(const std::string& instruction) {
   return text;
 }
 
-// The three of SPEC §3.
+// The three of data/README.md.
 TEST(Instructions, A13TurnsLeftAtTheFirstTeeAndHoversOnTheThirdCross) {
   EXPECT_EQ(told("a13"), "J5>J9 left, J7>J3 straight, J7>J3 straight, J7>J3 hover");
   EXPECT_NEAR(plan_to(topology_named("warehouse"), "a13").start_heading_rad, 0.0, 1e-12);

@@ -25,7 +25,7 @@ TEST(ShippedLayouts, AllLoadAreSoundAndBearTheNameOfTheirFile) {
   }
 }
 
-/// SPEC §3: columns x = 0.6 + 3.6 i, rows y = 0.6 + (6.8 / 3) j.
+/// data/README.md: columns x = 0.6 + 3.6 i, rows y = 0.6 + (6.8 / 3) j.
 Eigen::Vector2d grid_place(int i, int j) {
   return {0.6 + 3.6 * i, 0.6 + 6.8 / 3.0 * j};
 }

@@ -1,4 +1,4 @@
-// No map at run time (SPEC §3): a plan compiled from `warehouse` flies over a floor whose nodes lie
+// No map at run time (data/README.md): a plan compiled from `warehouse` flies over a floor whose nodes lie
 // elsewhere.
 #include <gtest/gtest.h>
 

@@ -30,7 +30,7 @@ Plan plan_to(const TestFloor& floor, const std::string& target) {
   return compile(topology, find_target(topology, target), target);
 }
 
-/// A mission over a floor, from a start that is as far off as SPEC §3 allows.
+/// A mission over a floor, from a start that is as far off as data/README.md allows.
 Mission mission_to(const TestFloor& floor, const std::string& target, double speed_m_s = 0.3) {
   const Plan plan = plan_to(floor, target);
   Pose start{floor.at(floor.names().front()), plan.start_heading_rad + radians(5.0), 0.0};
@@ -136,7 +136,7 @@ std::function<Eigen::Vector2d()> noise_m_s(double sigma_m_s, unsigned seed) {
 }
 
 TEST(Mission, ANoisyVelocityEstimateDoesNotHoldUpTheDocking) {
-  // SPEC §8: σ = 0.03 m/s, as large as the speed below which the vehicle counts as at rest.
+  // vehicle/README.md: σ = 0.03 m/s, as large as the speed below which the vehicle counts as at rest.
   const TestFloor floor = testing::warehouse_floor();
   Mission quiet = mission_to(floor, "a11");
   const double quiet_s = fly(quiet).ticks.back().t_s;
@@ -191,7 +191,7 @@ TEST(Mission, ANodeToGoStraightOverDoesNotSlowTheVehicle) {
 }
 
 TEST(Mission, PidStopsWhereTheCodeIsConfirmed) {
-  // The cross opens 0.157 m before the node (SPEC §5); the window and the confirmation take some of it back.
+  // The cross opens 0.157 m before the node (codes.md); the window and the confirmation take some of it back.
   const TestFloor floor = testing::warehouse_floor();
   Mission mission = mission_to(floor, "a03", 0.1);
   mission.controller = "pid";

@@ -208,7 +208,7 @@ TEST(Plan, FindsTargetsByLabelAndByName) {
 }
 
 TEST(Signature, OfAllSetsOfArms) {
-  // The code of SPEC's table with all arms in view; the preview is the code without the forward arm.
+  // The code of the table of codes.md with all arms in view; the preview is the code without the forward arm.
   using enum JunctionCode;
   struct Row {
     const char* arms;
