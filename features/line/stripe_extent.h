@@ -22,8 +22,8 @@ CrossSection cross_section(const LevelMask& mask, const StripeAxes& axes, double
 /// stretches of up to `bridged` are worn paint when paint follows them.
 StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged);
 
-/// Whether paint goes on to the side of where a stripe ends ahead, as a bend does past its tangent. A dead end has none
-/// within 75° of forward at a stripe's width.
+/// Whether paint goes on to the side of where a stripe ends ahead, as a bend does past its tangent. A dead
+/// end has none within 75° of forward at a stripe's width.
 bool paint_bends_away(const LevelMask& mask, const StripeCourse& course, double end_along);
 
 /// The length of both borders that lies in view between two places along the stripe.

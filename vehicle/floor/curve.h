@@ -37,8 +37,8 @@ class Curve {
   /// The circular arc from one point to another about a centre, counter-clockwise or clockwise; equal end
   /// points give a full circle. Throws std::invalid_argument when the radii differ by more than 1 mm or are
   /// zero.
-  static Curve arc(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W, const Eigen::Vector2d& centre_W,
-                   bool counter_clockwise);
+  static Curve arc(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W,
+                   const Eigen::Vector2d& centre_W, bool counter_clockwise);
 
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
   double length_m() const { return length_m_; }

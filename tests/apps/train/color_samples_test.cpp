@@ -35,8 +35,7 @@ TEST(ColorSamples, TheMachineTellsColoursItHasNotSeen) {
 }
 
 TEST(ColorSamples, TheShippedModelIsWhatTrainingGives) {
-  std::ifstream file(std::filesystem::path(LINESERVO_TEST_DATA) / "models/yellow.yaml",
-                     std::ios::binary);
+  std::ifstream file(std::filesystem::path(LINESERVO_TEST_DATA) / "models/yellow.yaml", std::ios::binary);
   const std::string shipped{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(ColorSvm::trained(color_samples(LineColor::yellow, 2000, 1)).to_text(), shipped);
 }

@@ -66,7 +66,8 @@ TEST(DifferenceSegmenter, RefusesOptionsOutOfBounds) {
 
 TEST(Segmenters, EachHasTheSizeThatWasAskedFor) {
   for (const std::string_view name : {"hsv", "difference", "auto"}) {
-    const PackedMask mask = make_segmenter({.name = std::string(name)})->segment(stripe(kGrey, {20, 40, 200}), {48, 32});
+    const PackedMask mask =
+        make_segmenter({.name = std::string(name)})->segment(stripe(kGrey, {20, 40, 200}), {48, 32});
     EXPECT_EQ(mask.width(), 48) << name;
     EXPECT_EQ(mask.height(), 32) << name;
   }

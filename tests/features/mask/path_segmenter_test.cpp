@@ -43,17 +43,17 @@ INSTANTIATE_TEST_SUITE_P(Both, OnProcessor, testing::Values(Processor::portable,
                          processor_name);
 
 const std::array<cv::Size, 12> kFrameSizes = {{{640, 480},
-                                                   {1920, 1080},
-                                                   {641, 479},
-                                                   {320, 240},
-                                                   {400, 400},
-                                                   {800, 800},
-                                                   {1200, 1200},
-                                                   {1201, 401},
-                                                   {160, 120},
-                                                   {16, 16},
-                                                   {17, 2000},
-                                                   {4096, 31}}};
+                                               {1920, 1080},
+                                               {641, 479},
+                                               {320, 240},
+                                               {400, 400},
+                                               {800, 800},
+                                               {1200, 1200},
+                                               {1201, 401},
+                                               {160, 120},
+                                               {16, 16},
+                                               {17, 2000},
+                                               {4096, 31}}};
 
 TEST_P(OnProcessor, EqualsStockOnRandomFramesOfEverySize) {
   PathSegmenter segmenter({}, processor);
