@@ -38,9 +38,10 @@ ProgressLine::ProgressLine(std::string instruction)
 void ProgressLine::show(const FlightProgress& p) {
   if (!on_terminal_ && p.time_s < next_s_) return;
   next_s_ = p.time_s + kQuietInterval_s;
-  fmt::print(stderr, "{}{}: {:5.0f} s  {:<8}  node {} of {}{}", on_terminal_ ? "\r" : "", instruction_,
-             p.time_s, servo::name(p.phase), std::min(p.step + 1, p.steps), p.steps,
-             on_terminal_ ? "   " : "\n");
+  const std::string line =
+      fmt::format("{}{}: {:5.0f} s  {:<8}  node {} of {}{}", on_terminal_ ? "\r" : "", instruction_, p.time_s,
+                  servo::name(p.phase), std::min(p.step + 1, p.steps), p.steps, on_terminal_ ? "   " : "\n");
+  std::fputs(line.c_str(), stderr);  // a closed stderr must not end the flight
   std::fflush(stderr);
 }
 

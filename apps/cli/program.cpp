@@ -21,7 +21,8 @@ namespace {
 /// One line on stderr, whatever the message.
 void complain(std::string message) {
   for (char& c : message) c = c == '\n' ? ' ' : c;
-  fmt::print(stderr, "lineservo: {}\n", message);
+  // Not by a call that throws: a stderr that is closed must not turn a complaint into a crash.
+  std::fputs(fmt::format("lineservo: {}\n", message).c_str(), stderr);
 }
 
 int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) try {

@@ -22,13 +22,13 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 YAML::Node load(const std::filesystem::path& file) try {
+  // Of a folder yaml-cpp reads until the stream throws, and leaks its buffer.
+  if (std::filesystem::is_directory(file)) throw InputError(file.string() + ": is a folder, not a YAML file");
   return YAML::LoadFile(file.string());
 } catch (const YAML::BadFile&) {
   throw InputError(file.string() + ": cannot be read");
 } catch (const YAML::Exception& error) {
   throw InputError(file.string() + ":" + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
-} catch (const std::ios_base::failure&) {  // a folder
-  throw InputError(file.string() + ": cannot be read");
 }
 
 /// Deeper than any file of ours; a node that holds itself by an alias has no bottom.

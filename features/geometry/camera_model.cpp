@@ -29,6 +29,20 @@ CameraModel::CameraModel(const CameraParameters& parameters) : parameters_(param
     throw std::invalid_argument("camera: " + list);
   has_distortion_ = std::any_of(parameters.distortion.begin(), parameters.distortion.end(),
                                 [](double k) { return k != 0.0; });
+  if (!undoes_corners())
+    throw std::invalid_argument("camera: the distortion cannot be undone at the image's corners");
+}
+
+// Where the radial polynomial turns back, two rays share a pixel: the inverse is lost, or lands on the wrong
+// one.
+bool CameraModel::undoes_corners() const {
+  for (const double x : {-0.5, width_px() - 0.5}) {
+    for (const double y : {-0.5, height_px() - 0.5}) {
+      const PixelPoint back = project(normalize({x, y}));
+      if (!(std::hypot(back.x - x, back.y - y) < 0.01)) return false;
+    }
+  }
+  return true;
 }
 
 PixelPoint CameraModel::project(NormalizedPoint point) const {

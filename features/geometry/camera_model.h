@@ -22,7 +22,8 @@ struct CameraParameters {
 class CameraModel {
  public:
   /// Throws std::invalid_argument that names every value that is out of bounds: sizes of 16…16384 pixels,
-  /// positive finite focal lengths, a finite principal point and finite distortion.
+  /// positive finite focal lengths, a finite principal point, finite distortion that can be undone at the
+  /// image's corners.
   explicit CameraModel(const CameraParameters& parameters);
 
   const CameraParameters& parameters() const { return parameters_; }
@@ -36,6 +37,7 @@ class CameraModel {
   NormalizedPoint normalize(PixelPoint pixel) const;
 
  private:
+  bool undoes_corners() const;
   NormalizedPoint distort(NormalizedPoint point) const;
   NormalizedPoint undistort(NormalizedPoint distorted) const;
 

@@ -129,7 +129,7 @@ TEST_F(ProgramTest, RefusesFilesThatCannotBeReadOrAreWrong) {
               HasSubstr("unknown.yaml:2: unknown key 'camera.zoom'"));
   EXPECT_THAT(refusal({"fly", "a13", "--config", unknown}),
               HasSubstr("unknown.yaml:2: unknown key 'camera.zoom'"));
-  EXPECT_THAT(refusal({"fly", "a13", "--config", temp_.path()}), HasSubstr("cannot be read"));
+  EXPECT_THAT(refusal({"fly", "a13", "--config", temp_.path()}), HasSubstr("is a folder"));
 }
 
 TEST_F(ProgramTest, RefusesSettingsThatAreNone) {

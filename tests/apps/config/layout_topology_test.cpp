@@ -51,7 +51,8 @@ TEST(TopologyOf, ALoopGivesItsNodeTwoArmsAndAStubOneAtEitherEnd) {
 }
 
 TEST(TopologyOf, ALoopLeavesAndArrivesInTheSameHeading) {
-  const auto& arms = topology_of(ring_with_stub()).nodes[0].arms;
+  const servo::Topology topology = topology_of(ring_with_stub());
+  const auto& arms = topology.nodes[0].arms;
   EXPECT_NEAR(arms[0].heading_rad, kPi / 2, 1e-12);  // counter-clockwise
   EXPECT_NEAR(arms[0].arrival_heading_rad, kPi / 2, 1e-9);
   EXPECT_NEAR(arms[1].heading_rad, -kPi / 2, 1e-9);  // clockwise

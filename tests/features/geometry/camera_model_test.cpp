@@ -31,6 +31,14 @@ TEST(CameraModel, NormalizeInvertsProjectAcrossTheWholeImage) {
   }
 }
 
+TEST(CameraModel, RefusesALensThatFoldsTheCorners) {
+  CameraParameters folding;  // r (1 − 0.3 r²) turns back at r = 1.05, inside the corners at 1.25
+  folding.distortion = {-0.3, 0.0, 0.0, 0.0, 0.0};
+  EXPECT_THROW(CameraModel{folding}, std::invalid_argument);
+  folding.distortion[1] = 0.1;
+  EXPECT_NO_THROW(CameraModel{folding});
+}
+
 TEST(CameraModel, RefusesEveryBadValueAtOnce) {
   CameraParameters p;
   p.width_px = 0;
