@@ -52,7 +52,7 @@ struct PerceptionOptions {
 };
 
 /// Frame → features: segmentation, centroid, stripes, junction and code. Remembers the code filter's window
-/// and nothing else from frame to frame.
+/// and the tracked line from frame to frame, nothing else.
 class Perception {
  public:
   /// Throws std::invalid_argument for options out of bounds.
