@@ -44,6 +44,15 @@ struct CodeReading {
       false;  ///< the stripe that is followed stops inside the image: a corner or a ┬, not a preview
 };
 
+/// What only some laws look at; perception fills in what FeatureNeeds asks for. Points and lines lie in the
+/// level camera or, where the needs say so, in the camera as it hangs.
+struct LawFeatures {
+  std::optional<LevelPoint> centroid;       ///< of the path mask (topology §2.3)
+  std::vector<LineFeature> lines;           ///< by the line method of the law's own paper
+  std::optional<LevelPoint> ahead, behind;  ///< where the path leaves and enters the frame (lfpf §3.3.2)
+  std::optional<LevelPoint> target;         ///< the virtual target point (vtp §3.1)
+};
+
 /// Everything that perception says of one frame. What was not seen is absent, never stale.
 struct FrameFeatures {
   std::vector<LineFeature> lines;           ///< every stripe in view, best to follow first
@@ -53,6 +62,7 @@ struct FrameFeatures {
   int marker_pixels = 0;                   ///< red pixels of the start marker, in the resized frame
   std::optional<LevelPoint> start_marker;  ///< its centroid, when there are enough of them for J0
   double foreground_ratio = 0.0;           ///< share of the frame that is path
+  LawFeatures law;
 
   /// The line to follow, or none.
   const LineFeature* line() const { return lines.empty() ? nullptr : &lines.front(); }

@@ -26,6 +26,7 @@ Perception::Perception(const CameraModel& camera, const PerceptionOptions& optio
       stripes_(geometry_, options.stripe),
       line_detector_(detector_of(options.line_method)),
       pose_{camera, LevelView()},
+      law_features_(camera, geometry_, options.needs),
       filter_(options.junction_window),
       tracker_(options.tracker),
       path_segmenter_(options.path.name == kFastPath ? nullptr : make_segmenter(options.path)) {}
@@ -50,6 +51,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   if (segmentation_->marker_pixels > kStartMarkerLimit_px)
     features.start_marker = context.view.level(geometry_.normalize(*segmentation_->marker_centroid_px));
   features.foreground_ratio = foreground_ratio(profile_);
+  features.law = law_features_.extract(bgr, *segmentation_, features.centroid_px, context.view);
   bool line_ends_ahead = false;
   const JunctionCode raw = read_code(stripes, line_ends_ahead);
   features.code = filter_.update(raw, line_ends_ahead);

@@ -9,6 +9,7 @@
 #include "features/geometry/camera_model.h"
 #include "features/geometry/level_view.h"
 #include "features/junction/code_filter.h"
+#include "features/law_features.h"
 #include "features/line/line_detector.h"
 #include "features/mask/mask_profile.h"
 #include "features/mask/path_segmenter.h"
@@ -49,6 +50,7 @@ struct PerceptionOptions {
   LineTrackerOptions tracker;
   /// Of line_methods(): where the lines come from. The junctions always rest on the stripes.
   std::string line_method = "stripe";
+  FeatureNeeds needs;  ///< of the law that flies
 };
 
 /// Frame → features: segmentation, centroid, stripes, junction and code. Remembers the code filter's window
@@ -78,6 +80,7 @@ class Perception {
   StripePerception stripes_;
   std::unique_ptr<LineDetector> line_detector_;  ///< none: the lines are the stripes
   CameraPose pose_;
+  LawFeatureExtractor law_features_;
   CodeFilter filter_;
   LineTracker tracker_;
   MaskProfile profile_;

@@ -3,6 +3,13 @@
 #include "features/geometry/angles.h"
 
 namespace lineservo::apps {
+namespace {
+
+bool is_bent(const vehicle::Curve& curve) {
+  return curve.pieces().size() > 1 || curve.pieces().front().curvature_inv_m != 0.0;
+}
+
+}  // namespace
 
 servo::Topology topology_of(const vehicle::Layout& layout) {
   servo::Topology topology;
@@ -17,10 +24,11 @@ servo::Topology topology_of(const vehicle::Layout& layout) {
     const double arriving_rad = edge.centreline.at(length_m).heading_rad;
     const double back_rad = features::wrap_angle(arriving_rad + features::kPi);
     const double home_rad = features::wrap_angle(leaving_rad + features::kPi);
+    const bool bends = is_bent(edge.centreline);
     topology.edge_lengths_m.push_back(length_m);
     topology.nodes[edge.from].arms.push_back(
-        {index, edge.to, features::wrap_angle(leaving_rad), arriving_rad});
-    topology.nodes[edge.to].arms.push_back({index, edge.from, back_rad, home_rad});
+        {index, edge.to, features::wrap_angle(leaving_rad), arriving_rad, bends});
+    topology.nodes[edge.to].arms.push_back({index, edge.from, back_rad, home_rad, bends});
   }
   return topology;
 }

@@ -123,26 +123,6 @@ void SettingsTable::bind_vehicle(vehicle::AirframeParameters& a, vehicle::Autopi
   number("limits.blind_travel_m", o.limits.max_blind_travel_m, 0.1, 20.0);
 }
 
-void SettingsTable::gain(const std::string& prefix, servo::AdaptiveGain& g) {
-  number(prefix + ".gain_at_zero", g.at_zero, 0.01, 20.0);
-  number(prefix + ".gain_at_infinity", g.at_infinity, 0.01, 20.0);
-  number(prefix + ".gain_slope", g.slope_at_zero, 0.0, 100.0);
-}
-
-void SettingsTable::bind_laws(servo::LawOptions& l) {
-  gain("servo.ibvs", l.ibvs.gain);
-  number("servo.ibvs.drift_time_constant_s", l.ibvs.drift_time_constant_s, 0.05, 60.0);
-  number("servo.ibvs.drift_limit_m_s", l.ibvs.drift_limit_m_s, 0.0, 2.0);
-  number("servo.ibvs.coast_s", l.ibvs.coast_s, 0.0, 5.0);
-  number("servo.ibvs.view_margin", l.ibvs.view_margin, 0.05, 2.0);
-  number("servo.ibvs.view_angle_rad", l.ibvs.view_angle_rad, 0.05, 1.5);
-  number("servo.pid.kp", l.pid.kp, 0.0, 100.0);
-  number("servo.pid.ki", l.pid.ki, 0.0, 100.0);
-  number("servo.pid.kd", l.pid.kd, 0.0, 100.0);
-  number("servo.pid.integral_limit", l.pid.integral_limit, 0.0, 1000.0);
-  number("servo.pid.dead_zone", l.pid.dead_zone, 0.0, 1.0);
-}
-
 void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
   gain("servo.dock", e.dock.gain);
   number("servo.dock.drift_time_constant_s", e.dock.drift_time_constant_s, 0.05, 60.0);

@@ -34,6 +34,8 @@ class SettingsTable {
   void bind_sensors(SensorSettings& s);
   void bind_vehicle(vehicle::AirframeParameters& a, vehicle::AutopilotOptions& o);
   void bind_laws(servo::LawOptions& l);
+  void bind_ibvs(servo::IbvsLineOptions& o);
+  void bind_pid(servo::PidOptions& o);
   void bind_executive(servo::ExecutiveOptions& e);
 
   void number(std::string key, double& value, double low, double high);

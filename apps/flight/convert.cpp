@@ -18,6 +18,12 @@ vehicle::Setpoint convert(const servo::LandCommand&) {
   return vehicle::LandSetpoint{};
 }
 
+/// The recogniser that a controller flies with: the setting, or the controller's own.
+std::string_view junction_method(const FeatureSettings& settings, const servo::Controller& controller) {
+  return settings.junction_method == "auto" ? controller.junction_method
+                                            : std::string_view(settings.junction_method);
+}
+
 }  // namespace
 
 features::CameraParameters camera_parameters(const CameraSettings& settings) {
@@ -54,8 +60,11 @@ vehicle::SensorParameters sensor_parameters(const SensorSettings& settings) {
   return sensors;
 }
 
-features::PerceptionOptions perception_options(const FeatureSettings& settings, std::string_view method) {
+features::PerceptionOptions perception_options(const FeatureSettings& settings,
+                                               const servo::Controller& controller) {
+  const std::string_view method = junction_method(settings, controller);
   features::PerceptionOptions options;
+  options.needs = controller.needs;
   options.line_method = settings.line_method;
   options.junction_method =
       method == "fpd" ? features::JunctionMethod::fpd : features::JunctionMethod::stripe;
@@ -73,11 +82,6 @@ servo::ExecutiveOptions executive_options(const Settings& settings, bool land) {
   options.phases.height_m = settings.height_m;
   options.phases.land = land;
   return options;
-}
-
-std::string_view junction_method(const FeatureSettings& settings, const servo::Controller& controller) {
-  return settings.junction_method == "auto" ? controller.junction_method
-                                            : std::string_view(settings.junction_method);
 }
 
 vehicle::Setpoint to_setpoint(const servo::Command& command) {

@@ -15,11 +15,10 @@ namespace lineservo::apps {
 features::CameraParameters camera_parameters(const CameraSettings& settings);
 vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings);
 vehicle::SensorParameters sensor_parameters(const SensorSettings& settings);
-/// `method` as in FeatureSettings, but not "auto".
-features::PerceptionOptions perception_options(const FeatureSettings& settings, std::string_view method);
+/// With the recogniser and the features that the controller flies with, unless the settings say otherwise.
+features::PerceptionOptions perception_options(const FeatureSettings& settings,
+                                               const servo::Controller& controller);
 servo::ExecutiveOptions executive_options(const Settings& settings, bool land);
-/// The recogniser that a controller flies with: the setting, or the controller's own.
-std::string_view junction_method(const FeatureSettings& settings, const servo::Controller& controller);
 
 vehicle::Setpoint to_setpoint(const servo::Command& command);
 

@@ -94,8 +94,7 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
                  start_facing(request, floor, plan)),
       camera_(floor, camera_options(request.settings.camera), request.seed),
       perception_(features::CameraModel(camera_parameters(request.settings.camera)),
-                  perception_options(request.settings.features,
-                                     junction_method(request.settings.features, controller_of(request)))),
+                  perception_options(request.settings.features, controller_of(request))),
       executive_(plan, controller_of(request).make(request.settings.laws), controller_of(request).traits,
                  executive_options(request.settings, request.land)),
       latency_known_(draw_known_latency(request)) {}

@@ -46,6 +46,11 @@ std::optional<Eigen::Vector2d> start_sighting(const Observation& o) {
   return floor_point_m(*o.features.start_marker, o.capture_height_m);
 }
 
+VelocityCommand moving_as(const Observation& o) {
+  if (!o.v_H_m_s.allFinite()) return {};
+  return {o.v_H_m_s.x(), o.v_H_m_s.y(), o.v_H_m_s.z(), 0.0};
+}
+
 /// Phases that hold the vehicle above a place: the start marker or a node.
 bool tracks_node(Phase phase) {
   return phase == Phase::align || phase == Phase::dock || phase == Phase::turn || phase == Phase::hover;
@@ -74,7 +79,7 @@ Command Executive::tick(const Observation& observation, bool on_ground) {
   if (decided != phase_) enter(decided, observation);
   const double dt_s = last_tick_ ? seconds(observation.now - *last_tick_) : 0.0;
   last_tick_ = observation.now;
-  return shape(command(observation), dt_s);
+  return shape(command(observation), observation, dt_s);
 }
 
 void Executive::observe(const Observation& observation) {
@@ -192,7 +197,7 @@ Command Executive::command(const Observation& observation) {
     case Phase::turn:
       return turn(observation);
     case Phase::hover:
-      return traits_.servos_on_node ? hold_node(observation) : stay(observation);
+      return hover(observation);
     case Phase::aborted:
       return stay(observation);
     case Phase::land:
@@ -203,10 +208,11 @@ Command Executive::command(const Observation& observation) {
   return stay(observation);
 }
 
-Command Executive::shape(const Command& command, double dt_s) {
+// A velocity command that comes after one of another kind starts from how the vehicle moves.
+Command Executive::shape(const Command& command, const Observation& observation, double dt_s) {
   const auto* wanted = std::get_if<VelocityCommand>(&command);
   if (!wanted || !is_finite(command)) {
-    last_command_ = {};
+    last_command_ = moving_as(observation);
     return is_finite(command) ? command : Command(VelocityCommand{});
   }
   last_command_ = approach(last_command_, saturate(*wanted, options_.limits), options_.limits, dt_s);
@@ -232,7 +238,9 @@ Command Executive::align(const Observation& observation) {
 }
 
 Command Executive::follow(const Observation& observation) {
-  const Command command = law_->follow(observation, {approach_speed(observation), options_.phases.height_m});
+  const PlanStep* step = current_step();
+  const Command command = law_->follow(
+      observation, {approach_speed(observation), options_.phases.height_m, step && step->edge_bends});
   return traits_.steers_heading ? command : with_heading_held(command);
 }
 
@@ -266,6 +274,12 @@ VelocityCommand Executive::hold_node(const Observation& observation) {
   CommandLimits limits = options_.limits;
   limits.horizontal_m_s = std::max(options_.speed_m_s, options_.approach_speed_m_s);
   return saturate(c, limits);
+}
+
+Command Executive::hover(const Observation& observation) {
+  if (traits_.servos_on_node) return hold_node(observation);
+  const auto command = law_->hover(observation, {0.0, options_.phases.height_m, false});
+  return command.value_or(stay(observation));
 }
 
 VelocityCommand Executive::turn(const Observation& observation) {

@@ -66,7 +66,7 @@ class Executive {
   void enter(Phase phase, const Observation& observation);
   void pass_node(Time now);
   Command command(const Observation& observation);
-  Command shape(const Command& command, double dt_s);
+  Command shape(const Command& command, const Observation& observation, double dt_s);
 
   VelocityCommand climb(const Observation& observation) const;
   VelocityCommand stay(const Observation& observation, double yaw_rate_rad_s = 0.0) const;
@@ -74,6 +74,7 @@ class Executive {
   Command follow(const Observation& observation);
   Command with_heading_held(Command command) const;
   VelocityCommand hold_node(const Observation& observation);
+  Command hover(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
 
   double approach_speed(const Observation& observation) const;

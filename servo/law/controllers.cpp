@@ -4,12 +4,23 @@
 
 namespace lineservo::servo {
 
+namespace {
+
+constexpr std::string_view kHeadingHeld =
+    "the executive holds the heading on the line, in the place of a compass";
+constexpr std::string_view kTurnsOnLine = "the executive ends its turns on the line's angle";
+
+}  // namespace
+
 const std::vector<Controller>& controllers() {
   static const std::vector<Controller> kControllers = {
       {"ibvs",
        "visual servoing on the fitted line, docking on nodes (ours)",
        {true, true},
        "stripe",
+       {},
+       0.0,
+       {},
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
          return std::make_unique<IbvsLineLaw>(o.ibvs);
        }},
@@ -17,6 +28,9 @@ const std::vector<Controller>& controllers() {
        "lateral PID on the mask's centroid, fixed turns (topology)",
        {false, false},
        "fpd",
+       {},
+       0.1,
+       {kHeadingHeld, kTurnsOnLine},
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> { return std::make_unique<PidLaw>(o.pid); }},
   };
   return kControllers;

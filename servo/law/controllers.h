@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "features/law_features.h"
 #include "servo/law/ibvs_line_law.h"
 #include "servo/law/pid_law.h"
 
@@ -22,6 +23,10 @@ struct Controller {
   std::string_view summary;
   LawTraits traits;
   std::string_view junction_method;  ///< the recogniser that it flies with unless told otherwise
+  features::FeatureNeeds needs;
+  double published_speed_m_s = 0.0;  ///< of its paper's flights; 0: none
+  /// Where it departs from its paper so as to fly here, for the tables.
+  std::vector<std::string_view> adaptations;
   std::unique_ptr<FollowLaw> (*make)(const LawOptions&);
 };
 

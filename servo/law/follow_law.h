@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "servo/law/observation.h"
 #include "servo/task/command.h"
 
@@ -9,6 +11,7 @@ namespace lineservo::servo {
 struct FollowGoal {
   double speed_m_s = 0.1;  ///< along the line
   double height_m = 0.5;
+  bool curved = false;  ///< the edge that is followed bends
 };
 
 /// What the executive has to do for a law.
@@ -27,6 +30,8 @@ class FollowLaw {
   virtual void reset() = 0;
   /// One control tick. Without a line in view it keeps the vehicle level and sideways at rest.
   virtual Command follow(const Observation& observation, const FollowGoal& goal) = 0;
+  /// One tick above the target, for laws whose paper holds a place there. None: the vehicle brakes and stays.
+  virtual std::optional<Command> hover(const Observation&, const FollowGoal&) { return std::nullopt; }
 };
 
 }  // namespace lineservo::servo

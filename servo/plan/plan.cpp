@@ -51,6 +51,7 @@ PlanStep arrive(const Topology& topology, const TopologyArm& by) {
   PlanStep step;
   step.node = topology.nodes[by.to].name;
   step.edge_length_m = topology.edge_lengths_m[by.edge];
+  step.edge_bends = by.bends;
   try {
     step.expected = signature(relative_angles(topology.nodes[by.to], by.arrival_heading_rad));
   } catch (const std::invalid_argument& error) {
@@ -70,15 +71,22 @@ void leave(PlanStep& step, const TopologyArm& by, const TopologyArm& onto) {
   step.turn_rad = turn_rad;
 }
 
-/// Nodes that the camera cannot tell and that ask for nothing are driven over: their length goes to the next
+/// Edges since the last step whose end the camera cannot tell.
+struct UnseenEdges {
+  double length_m = 0.0;
+  bool bend = false;
+};
+
+/// Nodes that the camera cannot tell and that ask for nothing are driven over: their edges go to the next
 /// step.
-void append(std::vector<PlanStep>& steps, PlanStep step, double& unseen_length_m) {
+void append(std::vector<PlanStep>& steps, PlanStep step, UnseenEdges& unseen) {
+  step.edge_length_m += unseen.length_m;
+  step.edge_bends |= unseen.bend;
   if (step.manoeuvre == Manoeuvre::go_straight && looks_like_plain_line(step.expected)) {
-    unseen_length_m += step.edge_length_m;
+    unseen = {step.edge_length_m, step.edge_bends};
     return;
   }
-  step.edge_length_m += unseen_length_m;
-  unseen_length_m = 0.0;
+  unseen = {};
   steps.push_back(std::move(step));
 }
 
@@ -108,7 +116,7 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
   if (!route) throw std::invalid_argument(instruction + ": no painted way leads to " + target_name);
 
   Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}, *route};
-  double unseen_length_m = 0.0;
+  UnseenEdges unseen;
   for (std::size_t k = 0; k < route->size(); ++k) {
     PlanStep step = arrive(topology, (*route)[k]);
     if (k + 1 < route->size()) {
@@ -119,7 +127,7 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
     } else {
       step.manoeuvre = Manoeuvre::hover;
     }
-    append(plan.steps, std::move(step), unseen_length_m);
+    append(plan.steps, std::move(step), unseen);
   }
   return plan;
 }

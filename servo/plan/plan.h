@@ -27,6 +27,7 @@ struct PlanStep {
   double turn_rad = 0.0;       ///< for a turn, counter-clockwise
   double edge_length_m = 0.0;  ///< since the step before; for time-outs only
   std::string node;            ///< for explaining the plan only
+  bool edge_bends = false;     ///< the edge since the step before is not straight
 };
 
 /// An instruction compiled to what the camera will see and what to do about it.

@@ -13,6 +13,7 @@ struct TopologyArm {
   std::size_t to = 0;        ///< node at the other end
   double heading_rad = 0.0;  ///< in which the arm leaves the node, from +x of the floor, counter-clockwise
   double arrival_heading_rad = 0.0;  ///< of a traveller who reaches `to` along this arm
+  bool bends = false;                ///< the edge is not straight
 };
 
 struct TopologyNode {

@@ -1,0 +1,42 @@
+#include "features/law_features.h"
+
+#include "features/line/line_methods.h"
+#include "features/point/boundary_centres.h"
+
+namespace lineservo::features {
+
+LawFeatureExtractor::LawFeatureExtractor(const CameraModel& camera, const MaskGeometry& geometry,
+                                         const FeatureNeeds& needs)
+    : geometry_(geometry),
+      needs_(needs),
+      pose_{camera, LevelView()},
+      line_detector_(needs.line_method.empty() ? nullptr : find_line_method(needs.line_method).make()) {}
+
+LawFeatures LawFeatureExtractor::extract(const cv::Mat& bgr, const Segmentation& segmentation,
+                                         const std::optional<PixelPoint>& centroid_px,
+                                         const LevelView& view) {
+  const LevelView& used = needs_.tilt_corrected ? view : LevelView();
+  LawFeatures features;
+  if (centroid_px) features.centroid = level(*centroid_px, used);
+  if (line_detector_) features.lines = find_lines(bgr, segmentation.path, used);
+  if (needs_.boundary_centres) {
+    const BoundaryCentres centres = boundary_centres(segmentation.path);
+    if (centres.ahead) features.ahead = level(*centres.ahead, used);
+    if (centres.behind) features.behind = level(*centres.behind, used);
+  }
+  return features;
+}
+
+std::vector<LineFeature> LawFeatureExtractor::find_lines(const cv::Mat& bgr, const PackedMask& path,
+                                                         const LevelView& view) {
+  pose_.view = view;
+  std::vector<LineFeature> lines;
+  for (const DetectedLine& line : line_detector_->detect({bgr, path, &pose_})) lines.push_back(*line.level);
+  return lines;
+}
+
+LevelPoint LawFeatureExtractor::level(PixelPoint mask_px, const LevelView& view) const {
+  return view.level(geometry_.normalize(mask_px));
+}
+
+}  // namespace lineservo::features
