@@ -58,6 +58,8 @@ struct FrameFeatures {
   std::vector<LineFeature> lines;           ///< every stripe in view, best to follow first
   std::optional<JunctionFeature> junction;  ///< the one nearest to the image centre
   CodeReading code;
+  /// Where the line to follow stops with bare floor beyond it, however little: it may be worn paint.
+  std::optional<LevelPoint> line_end;
   std::optional<PixelPoint> centroid_px;   ///< of the path mask, in the resized 400×400 frame
   int marker_pixels = 0;                   ///< red pixels of the start marker, in the resized frame
   std::optional<LevelPoint> start_marker;  ///< its centroid, when there are enough of them for J0

@@ -46,6 +46,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   features.lines = line_detector_ ? detect_lines(bgr, context.view) : stripes.lines;
   if (options_.line_filter == LineFilter::kalman) track(features.lines, context);
   features.junction = stripes.junction;
+  features.line_end = stripes.line_end;
   features.centroid_px = centroid(profile_);
   features.marker_pixels = segmentation_->marker_pixels;
   if (segmentation_->marker_pixels > kStartMarkerLimit_px)

@@ -30,6 +30,9 @@ const StripeFeatures& StripePerception::observe(const MaskView& mask, const Leve
 
   features_.lines.clear();
   for (const Stripe& stripe : stripes_) features_.lines.push_back(stripe.feature);
+  if (!stripes_.empty()) {
+    if (const auto bent = fit_bend(points_, stripes_.front(), options_.bend)) features_.lines.front() = *bent;
+  }
   features_.junction.reset();
   features_.arms = {};
   if (junction) {
@@ -38,6 +41,10 @@ const StripeFeatures& StripePerception::observe(const MaskView& mask, const Leve
   }
   features_.raw = code();
   features_.line_ends_ahead = ends_ahead(level_mask, junction);
+  features_.line_end.reset();
+  if (!stripes_.empty() && !stripes_.front().end.leaves_view &&
+      stripes_.front().end.bare >= options_.junction_end)
+    features_.line_end = stripes_.front().feature.end;
   return features_;
 }
 

@@ -7,6 +7,7 @@
 #include "features/junction/stripe_junction.h"
 #include "features/junction/visible_arms.h"
 #include "features/line/border_points.h"
+#include "features/line/stripe_bend.h"
 #include "features/line/stripe_finder.h"
 #include "features/mask/level_mask.h"
 
@@ -15,6 +16,7 @@ namespace lineservo::features {
 struct StripePerceptionOptions {
   BorderOptions border = {};
   StripeOptions stripe = {};
+  BendOptions bend = {};
   JunctionOptions junction = {};
   ArmVisibility visibility = {};
   double certain_end = 0.25;   ///< bare floor past the end of a stripe that shows, by itself, that it stops
@@ -28,6 +30,7 @@ struct StripeFeatures {
   Arms arms;                                ///< of the junction, those visible by the code rule
   JunctionCode raw = JunctionCode::unrecognised;
   bool line_ends_ahead = false;
+  std::optional<LevelPoint> line_end;  ///< as in FrameFeatures
 };
 
 /// From a mask of the path to stripes, junction and code. Remembers nothing but its buffers from frame to

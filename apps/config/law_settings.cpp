@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "apps/config/settings_table.h"
 
 // The part of the table that holds the laws' parameters: servo.<controller>.<gain>.
@@ -10,6 +13,18 @@ void SettingsTable::gain(const std::string& prefix, servo::AdaptiveGain& g) {
   number(prefix + ".gain_slope", g.slope_at_zero, 0.0, 100.0);
 }
 
+void SettingsTable::interaction(std::string key, servo::InteractionMatrix& value) {
+  constexpr std::array kNames = {"current", "desired", "mean"};  // in the order of the enumerators
+  const auto set = [&value, kNames](const std::string& text) {
+    const auto it = std::find(kNames.begin(), kNames.end(), text);
+    if (it == kNames.end()) return false;
+    value = static_cast<servo::InteractionMatrix>(it - kNames.begin());
+    return true;
+  };
+  table_.push_back({std::move(key), "one of current, desired, mean", set,
+                    [&value, kNames] { return std::string(kNames.at(static_cast<std::size_t>(value))); }});
+}
+
 void SettingsTable::bind_laws(servo::LawOptions& l) {
   bind_ibvs(l.ibvs);
   bind_pid(l.pid);
@@ -17,11 +32,14 @@ void SettingsTable::bind_laws(servo::LawOptions& l) {
 
 void SettingsTable::bind_ibvs(servo::IbvsLineOptions& o) {
   gain("servo.ibvs", o.gain);
+  interaction("servo.ibvs.interaction_matrix", o.interaction);
   number("servo.ibvs.drift_time_constant_s", o.drift_time_constant_s, 0.05, 60.0);
   number("servo.ibvs.drift_limit_m_s", o.drift_limit_m_s, 0.0, 2.0);
   number("servo.ibvs.coast_s", o.coast_s, 0.0, 5.0);
   number("servo.ibvs.view_margin", o.view_margin, 0.05, 2.0);
   number("servo.ibvs.view_angle_rad", o.view_angle_rad, 0.05, 1.5);
+  number("servo.ibvs.bend_acceleration_m_s2", o.bend_acceleration_m_s2, 0.05, 10.0);
+  number("servo.ibvs.bend_yaw_rate_rad_s", o.bend_yaw_rate_rad_s, 0.05, 3.0);
 }
 
 void SettingsTable::bind_pid(servo::PidOptions& o) {

@@ -43,6 +43,7 @@ class SettingsTable {
   void whole(std::string key, int& value, int low, int high);
   void word(std::string key, std::string& value, std::vector<std::string> choices);
   void yes_no(std::string key, bool& value);
+  void interaction(std::string key, servo::InteractionMatrix& value);
   void gain(const std::string& prefix, servo::AdaptiveGain& gain);
 
   std::vector<Setting> table_;

@@ -17,24 +17,6 @@ double nearest_to_centre(const CurvedCourse& course, const CourseStretch& stretc
   return std::clamp(course.along(p.vector()), stretch.from, stretch.to);
 }
 
-LineFeature level_tangent(const CurvedCourse& course, const CourseStretch& stretch, double along,
-                          double quality) {
-  const Eigen::Vector2d p = course.at(along, 0.0);
-  const double theta_rad = course.theta_at(along);
-  const ImageLine line = canonical_line(p.x() * std::cos(theta_rad) + p.y() * std::sin(theta_rad), theta_rad);
-  LineFeature feature;
-  feature.rho = line.rho_px;
-  feature.theta_rad = line.theta_rad;
-  feature.width = course.width_at(along);
-  feature.quality = quality;
-  const Eigen::Vector2d begin = course.at(stretch.from, 0.0), end = course.at(stretch.to, 0.0);
-  feature.begin = {begin.x(), begin.y()};
-  feature.end = {end.x(), end.y()};
-  if (line.forward().dot(end - begin) < 0.0) std::swap(feature.begin, feature.end);
-  feature.curvature = std::cos(line.theta_rad - theta_rad) < 0.0 ? -course.curvature : course.curvature;
-  return feature;
-}
-
 // ρ = foot·n + offset, so dρ = d(offset) + foot·n' dθ with n' = −forward; floors are those of a straight
 // stripe half as long as the image is wide. The mirrored branch turns the sign of ρ.
 Eigen::Matrix2d covariance_about_origin(const CurvedFit& fit, bool mirrored, double floor) {
@@ -67,13 +49,33 @@ PixelPoint project(const CameraPose& pose, const Eigen::Vector2d& p_L) {
   return pose.camera.project(pose.view.tilted({p_L.x(), p_L.y()}));
 }
 
+LineFeature level_tangent(const CurvedFit& fit, const CourseStretch& stretch, double along, double quality,
+                          double floor) {
+  const CurvedCourse& course = fit.course;
+  const Eigen::Vector2d p = course.at(along, 0.0);
+  const double theta_rad = course.theta_at(along);
+  const ImageLine line = canonical_line(p.x() * std::cos(theta_rad) + p.y() * std::sin(theta_rad), theta_rad);
+  LineFeature feature;
+  feature.rho = line.rho_px;
+  feature.theta_rad = line.theta_rad;
+  feature.width = course.width_at(along);
+  feature.quality = quality;
+  const Eigen::Vector2d begin = course.at(stretch.from, 0.0), end = course.at(stretch.to, 0.0);
+  feature.begin = {begin.x(), begin.y()};
+  feature.end = {end.x(), end.y()};
+  if (line.forward().dot(end - begin) < 0.0) std::swap(feature.begin, feature.end);
+  const bool mirrored = std::cos(line.theta_rad - theta_rad) < 0.0;
+  feature.curvature = mirrored ? -course.curvature : course.curvature;
+  feature.covariance = covariance_about_origin(fit, mirrored, floor);
+  return feature;
+}
+
 DetectedLine view_course(const CurvedFit& fit, const CourseStretch& stretch, const CameraPose& pose,
                          double quality) {
   const CurvedCourse& course = fit.course;
   const double along = nearest_to_centre(course, stretch, pose);
-  LineFeature level = level_tangent(course, stretch, along, quality);
-  const bool mirrored = std::cos(level.theta_rad - course.theta_rad) < 0.0;
-  level.covariance = covariance_about_origin(fit, mirrored, kFloor_px / pose.camera.parameters().fx_px);
+  const LineFeature level =
+      level_tangent(fit, stretch, along, quality, kFloor_px / pose.camera.parameters().fx_px);
   ImageLine image = image_tangent(course, stretch, along, pose);
   image.quality = quality;
   image.covariance = image_covariance(image, level.covariance, pose);

@@ -256,15 +256,24 @@ Command Executive::with_heading_held(Command command) const {
   return command;
 }
 
-// Before a node to dock on: v ≤ √(2·a·d), so that the point task takes over with nothing left to brake.
+// Before a node to dock on, and where the line stops: the speed from which the vehicle comes to rest there,
+// once it has answered, so that the point task takes over with little left to brake. From v T + v²/2a = d.
 double Executive::approach_speed(const Observation& observation) const {
-  const PlanStep* step = current_step();
-  const auto node = tracker_.node_now(observation);
-  if (!traits_.servos_on_node || !step || step->manoeuvre == Manoeuvre::go_straight || !node)
-    return options_.speed_m_s;
-  const double ahead_m = std::max(0.0, node->x());
-  const double braking = std::sqrt(2.0 * options_.approach_deceleration_m_s2 * ahead_m);
+  const std::optional<double> ahead_m = stop_ahead_m(observation);
+  if (!traits_.servos_on_node || !ahead_m) return options_.speed_m_s;
+  const double a = options_.approach_deceleration_m_s2, T = options_.approach_response_s;
+  const double braking = a * (std::sqrt(T * T + 2.0 * std::max(0.0, *ahead_m) / a) - T);
   return std::min(options_.speed_m_s, std::max(braking, options_.approach_speed_m_s));
+}
+
+// How far ahead the vehicle has to stop, as far as it is in view.
+std::optional<double> Executive::stop_ahead_m(const Observation& observation) const {
+  const PlanStep* step = current_step();
+  if (!step || step->manoeuvre == Manoeuvre::go_straight) return std::nullopt;
+  if (const auto node = tracker_.node_now(observation)) return node->x();
+  if (!observation.features.line_end || matcher_.leaving()) return std::nullopt;
+  const Eigen::Vector2d end_m = floor_point_m(*observation.features.line_end, observation.capture_height_m);
+  return after(since_capture(observation), end_m).x();
 }
 
 VelocityCommand Executive::hold_node(const Observation& observation) {

@@ -30,6 +30,7 @@ struct ExecutiveOptions {
   double heading_gain_per_s = 0.5;  ///< for laws that do not steer the heading
   double heading_rate_limit_rad_s = 0.1;
   double approach_deceleration_m_s2 = 0.5;  ///< before a node that is to be docked on
+  double approach_response_s = 0.2;         ///< until the vehicle answers to a lower speed
   double approach_speed_m_s = 0.05;         ///< never slower than this before its code is confirmed
   double speed_time_constant_s = 0.5;       ///< over which the speed that counts as rest is averaged
 };
@@ -78,6 +79,7 @@ class Executive {
   VelocityCommand turn(const Observation& observation);
 
   double approach_speed(const Observation& observation) const;
+  std::optional<double> stop_ahead_m(const Observation& observation) const;
   double turn_left(const Observation& observation) const;
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
   bool has_landed() const;

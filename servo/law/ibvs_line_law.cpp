@@ -11,7 +11,7 @@ using features::LineFeature;
 
 IbvsLineLaw::IbvsLineLaw(const IbvsLineOptions& options)
     : options_(options),
-      task_(options.gain),
+      task_(options.gain, options.interaction),
       drift_(options.drift_time_constant_s, options.drift_limit_m_s) {}
 
 void IbvsLineLaw::reset() {
@@ -22,8 +22,10 @@ void IbvsLineLaw::reset() {
 Command IbvsLineLaw::follow(const Observation& observation, const FollowGoal& goal) {
   const std::optional<LineFeature> line = line_now(observation);
   if (!line) return VelocityCommand{0.0, 0.0, height_rate(observation.height_m, goal.height_m), 0.0};
+  const double speed_m_s = safe_speed(*line, observation.height_m, goal.speed_m_s);
+  const double bend_rad_s = line->curvature / observation.height_m * speed_m_s;  // θ̇ = ω + κ v
   const TaskSolution solution = task_.solve(line->rho, line->theta_rad, observation.height_m, goal.height_m,
-                                            safe_speed(*line, goal.speed_m_s), drift_.drift_m_s());
+                                            speed_m_s, drift_.drift_m_s(), bend_rad_s);
   return solution.valid ? solution.command : VelocityCommand{};
 }
 
@@ -36,12 +38,14 @@ std::optional<LineFeature> IbvsLineLaw::line_now(const Observation& observation)
   }
   if (!last_ || seconds(observation.now - last_->captured) > options_.coast_s) return std::nullopt;
   LineFeature line = after(between(last_->odometry, observation.odometry_now), last_->line, last_->height_m);
-  line.rho *= last_->height_m / observation.height_m;  // the same metres, seen from the height now
+  // the same metres, seen from the height now
+  line.rho *= last_->height_m / observation.height_m;
+  line.curvature *= observation.height_m / last_->height_m;
   return line;
 }
 
-// The vehicle's place to the left of the line is ρh. The odometry's own step across the line, in the line's
-// frame whose heading is the vehicle's less θ: Δo = nᵀ R(θ) Δp with n to the left.
+// The vehicle's place to the left of the line is ρh. The odometry's own step across the line is where it
+// would have the line of the frame before, less where that was.
 void IbvsLineLaw::observe_drift(const Observation& observation, const LineFeature& line) {
   const double left_m = line.rho * observation.capture_height_m;
   if (!last_) {
@@ -49,12 +53,18 @@ void IbvsLineLaw::observe_drift(const Observation& observation, const LineFeatur
     return;
   }
   const Motion moved = between(last_->odometry, observation.odometry_at_capture);
-  const double step_m = (Eigen::Rotation2Dd(last_->line.theta_rad) * moved.translation_m).y();
+  const double step_m = (after(moved, last_->line, last_->height_m).rho - last_->line.rho) * last_->height_m;
   drift_.update(left_m, step_m, seconds(observation.captured - last_->captured));
 }
 
-// Slows down as the line nears the border of the view, so that it cannot leave it.
-double IbvsLineLaw::safe_speed(const LineFeature& line, double speed_m_s) const {
+// Slows down as the line nears the border of the view, so that it cannot leave it, and in bends to what the
+// vehicle can follow: v²κ ≤ a, vκ ≤ ω.
+double IbvsLineLaw::safe_speed(const LineFeature& line, double height_m, double speed_m_s) const {
+  const double bend_inv_m = std::abs(line.curvature) / height_m;
+  if (bend_inv_m > 0.0) {
+    speed_m_s = std::min({speed_m_s, std::sqrt(options_.bend_acceleration_m_s2 / bend_inv_m),
+                          options_.bend_yaw_rate_rad_s / bend_inv_m});
+  }
   const double offset = std::abs(line.rho) / options_.view_margin;
   const double angle = std::abs(line.theta_rad) / options_.view_angle_rad;
   return speed_m_s * std::clamp(1.0 - offset * offset, 0.0, 1.0) * std::clamp(1.0 - angle * angle, 0.0, 1.0);

@@ -11,13 +11,13 @@ namespace lineservo::servo {
 /// the forward speed.
 class LineTask {
  public:
-  explicit LineTask(const AdaptiveGain& gain);
+  explicit LineTask(const AdaptiveGain& gain, InteractionMatrix matrix = InteractionMatrix::current);
   ~LineTask();
 
   /// (ρ, θ): the line as it is now. `drift_m_s`: the sideways speed, to the left, that the vehicle does not
-  /// know of.
+  /// know of. `bend_rad_s`: how fast θ grows because the line bends away under the forward motion.
   TaskSolution solve(double rho, double theta_rad, double height_m, double desired_height_m,
-                     double forward_m_s, double drift_m_s);
+                     double forward_m_s, double drift_m_s, double bend_rad_s = 0.0);
 
   const VisualTask& task() const { return task_; }
 

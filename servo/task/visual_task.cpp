@@ -23,6 +23,18 @@ vpMatrix level_eJe() {
   return eJe;
 }
 
+vpServo::vpServoIteractionMatrixType to_visp(InteractionMatrix matrix) {
+  switch (matrix) {
+    case InteractionMatrix::desired:
+      return vpServo::DESIRED;
+    case InteractionMatrix::mean:
+      return vpServo::MEAN;
+    case InteractionMatrix::current:
+      break;
+  }
+  return vpServo::CURRENT;
+}
+
 vpColVector to_visp(const VelocityCommand& c) {
   vpColVector q(4);
   q[0] = c.forward_m_s;
@@ -51,9 +63,9 @@ struct VisualTask::Impl {
   ~Impl() { servo.kill(); }
 };
 
-VisualTask::VisualTask(const AdaptiveGain& gain) : impl_(std::make_unique<Impl>()) {
+VisualTask::VisualTask(const AdaptiveGain& gain, InteractionMatrix matrix) : impl_(std::make_unique<Impl>()) {
   impl_->servo.setServo(vpServo::EYEINHAND_L_cVe_eJe);
-  impl_->servo.setInteractionMatrixType(vpServo::CURRENT, vpServo::PSEUDO_INVERSE);
+  impl_->servo.setInteractionMatrixType(to_visp(matrix), vpServo::PSEUDO_INVERSE);
   impl_->servo.setLambda(gain.at_zero, gain.at_infinity, gain.slope_at_zero);
 }
 

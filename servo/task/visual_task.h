@@ -17,6 +17,10 @@ struct AdaptiveGain {
   double slope_at_zero = 1.0;
 };
 
+/// Where the interaction matrix is taken (Chaumette and Hutchinson, Visual servo control I, §III): at the
+/// features as they are, as they should be, or the mean of the two.
+enum class InteractionMatrix { current, desired, mean };
+
 /// What a task says: the command and whether it can be trusted.
 struct TaskSolution {
   VelocityCommand command;
@@ -29,7 +33,7 @@ struct TaskSolution {
 /// anew each time, and nothing of it shows.
 class VisualTask {
  public:
-  explicit VisualTask(const AdaptiveGain& gain);
+  explicit VisualTask(const AdaptiveGain& gain, InteractionMatrix matrix = InteractionMatrix::current);
   ~VisualTask();
   VisualTask(const VisualTask&) = delete;
   VisualTask& operator=(const VisualTask&) = delete;
@@ -37,7 +41,7 @@ class VisualTask {
   /// Adds s with the desired s*; both must outlive the task. `dimension` is that of the selected part.
   void add(vpBasicFeature& s, vpBasicFeature& s_star, unsigned select, unsigned dimension);
 
-  /// q̇ = −λ J⁺ e − J⁺ ê_t + (I − J⁺J) z, with the current interaction matrix: the primary task, the drift of
+  /// q̇ = −λ J⁺ e − J⁺ ê_t + (I − J⁺J) z: the primary task, the drift of
   /// the error that the vehicle does not cause (empty: none), and the secondary motion z in the null space.
   /// (Chaumette and Hutchinson, Visual servo control II, eq. 30; Espiau et al. 1992 for the redundancy.)
   TaskSolution solve(const VelocityCommand& secondary, const Eigen::VectorXd& error_rate = {});

@@ -33,6 +33,7 @@ class FixedLaw final : public FollowLaw {
 /// A vehicle that hovers over a line of the warehouse while a law that does not dock says its word.
 struct Bench {
   explicit Bench(const Command& command, double height_m = 0.5) : start(height_m) {
+    options.limits.acceleration_m_s2 = 2.0;
     const Topology topology = floor.topology();
     executive = std::make_unique<Executive>(compile(topology, floor.index("a10"), "a10"),
                                             std::make_unique<FixedLaw>(command, &asked),

@@ -53,6 +53,34 @@ TEST(IbvsLineLaw, OnTheLineItGoesStraightAheadAtTheSpeedAskedFor) {
   EXPECT_NEAR(c.yaw_rate_rad_s, 0.0, 1e-12);
 }
 
+/// A line that bends by κ (to the right when positive), straight under the vehicle.
+features::FrameFeatures bend(double curvature_inv_m) {
+  features::FrameFeatures frame = line_from({{0.0, 0.0}, 0.0, 0.5});
+  frame.lines.front().curvature = curvature_inv_m * 0.5;
+  return frame;
+}
+
+TEST(IbvsLineLaw, TurnsWithALineThatBends) {
+  EXPECT_NEAR(Flight({{0.0, 0.0}, 0.0, 0.5}).tick(bend(0.5)).yaw_rate_rad_s, -0.5 * kGoal.speed_m_s, 1e-12);
+  EXPECT_NEAR(Flight({{0.0, 0.0}, 0.0, 0.5}).tick(bend(-0.5)).yaw_rate_rad_s, 0.5 * kGoal.speed_m_s, 1e-12);
+}
+
+TEST(IbvsLineLaw, IsAsFastInABendAsItCanFollow) {
+  // v ≤ √(a / κ) and v ≤ ω / κ
+  const auto speed_in = [](double curvature_inv_m, double acceleration_m_s2, double yaw_rate_rad_s) {
+    IbvsLineOptions options;
+    options.bend_acceleration_m_s2 = acceleration_m_s2;
+    options.bend_yaw_rate_rad_s = yaw_rate_rad_s;
+    IbvsLineLaw law(options);
+    const TestVehicle vehicle({{0.0, 0.0}, 0.0, 0.5});
+    return std::get<VelocityCommand>(law.follow(vehicle.observe(bend(curvature_inv_m), 0), {1.0, 0.5}))
+        .forward_m_s;
+  };
+  EXPECT_NEAR(speed_in(0.5, 0.18, 3.0), 0.6, 1e-9);
+  EXPECT_NEAR(speed_in(-0.5, 5.0, 0.2), 0.4, 1e-9);
+  EXPECT_NEAR(speed_in(0.01, 5.0, 3.0), 1.0, 1e-9);
+}
+
 TEST(IbvsLineLaw, FirstStepGoesToTheLine) {
   EXPECT_LT(Flight({{0.0, 0.1}, 0.0, 0.5}).see().left_m_s, -0.05);
   EXPECT_GT(Flight({{0.0, -0.1}, 0.0, 0.5}).see().left_m_s, 0.05);

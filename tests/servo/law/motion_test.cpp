@@ -102,6 +102,32 @@ TEST_P(LineAfter, IsTheLineSeenFromThePlaceReached) {
   EXPECT_NEAR(moved.theta_rad, expected.theta_rad, 1e-12);
 }
 
+/// The tangent of a circle about `centre_W`, passed counter-clockwise, at the place nearest to the vehicle.
+LineFeature seen_arc(const Pose& pose, const Eigen::Vector2d& centre_W, double radius_m) {
+  const Eigen::Vector2d out = (pose.p_W - centre_W).normalized();
+  const Eigen::Vector2d nearest_W = centre_W + radius_m * out, along(-out.y(), out.x());
+  LineFeature line = testing::seen_line(pose, nearest_W - along, nearest_W + along);
+  line.curvature = -pose.height_m / radius_m;  // to the left: against the normal
+  return line;
+}
+
+TEST(Motion, ALineThatBendsTurnsUnderTheVehicle) {
+  const Eigen::Vector2d centre_W(0.0, 1.5);
+  const Pose from{{0.0, 0.02}, 0.03, 0.5};
+  for (const double forward_m : {0.02, 0.05, 0.1}) {
+    const Motion motion{{forward_m, 0.01}, 0.04};
+    Pose to = from;
+    to.p_W += Eigen::Rotation2Dd(from.heading_rad) * motion.translation_m;
+    to.heading_rad += motion.yaw_rad;
+    const LineFeature moved = after(motion, seen_arc(from, centre_W, 1.5), 0.5);
+    const LineFeature expected = seen_arc(to, centre_W, 1.5);
+    const double third_order =
+        2.0 * std::pow(forward_m / 0.5, 3.0) * std::pow(0.5 / 1.5, 2.0) + 5e-4 * forward_m;
+    EXPECT_NEAR(moved.rho, expected.rho, third_order) << forward_m;
+    EXPECT_NEAR(moved.theta_rad, expected.theta_rad, third_order) << forward_m;
+  }
+}
+
 TEST(Motion, ALineKeepsTheBranchNearestToItsOldAngle) {
   // θ = 80° and a left turn of 20°: 100° is told, not the other spelling −80° with −ρ.
   LineFeature line;

@@ -107,6 +107,36 @@ TEST(LineTask, OnTheLineADriftIsAnsweredByItsOpposite) {
   EXPECT_NEAR(scene.solve({{0.0, 0.0}, 0.0, kHeight_m}, 0.2, 0.07).command.left_m_s, -0.07, 1e-12);
 }
 
+TEST(LineTask, ABendIsTurnedIntoExactly) {
+  // θ̇ = ω + κv: with the bend told, the rate of the error stays −λ·e.
+  Scene scene;
+  const LineFeature seen = testing::seen_line({{0.0, 0.05}, 0.1, kHeight_m}, kBehind_W, kAhead_W);
+  const double bend_rad_s = -0.4;
+  const TaskSolution s =
+      scene.line.solve(seen.rho, seen.theta_rad, kHeight_m, kHeight_m, 0.3, 0.0, bend_rad_s);
+  const Eigen::VectorXd rate =
+      scene.line.task().jacobian() * testing::vector_of(s.command) + Eigen::Vector3d(0.0, bend_rad_s, 0.0);
+  EXPECT_LT((rate + kGain * scene.line.task().error()).norm(), 1e-10);
+  EXPECT_NEAR(scene.line.solve(0.0, 0.0, kHeight_m, kHeight_m, 0.3, 0.0, bend_rad_s).command.yaw_rate_rad_s,
+              0.4, 1e-12);
+}
+
+TEST(LineTask, TheInteractionMatrixIsTakenWhereItIsAsked) {
+  const double rho = 0.3, theta_rad = 0.4, height_m = 0.7;
+  const auto jacobian_of = [&](InteractionMatrix matrix) {
+    LineTask line(kConstant, matrix);
+    EXPECT_TRUE(line.solve(rho, theta_rad, height_m, kHeight_m, 0.0, 0.0).valid);
+    return line.task().jacobian();
+  };
+  const Eigen::MatrixXd current = jacobian_of(InteractionMatrix::current);
+  Eigen::MatrixXd desired(3, 4);      // at ρ = θ = 0 and the height asked for
+  desired << 0, 1 / kHeight_m, 0, 0,  //
+      0, 0, 0, 1,                     //
+      0, 0, 1 / kHeight_m, 0;
+  EXPECT_LT((jacobian_of(InteractionMatrix::desired) - desired).norm(), 1e-12);
+  EXPECT_LT((jacobian_of(InteractionMatrix::mean) - 0.5 * (current + desired)).norm(), 1e-12);
+}
+
 TEST(LineTask, BothSpellingsOfALineAcrossTheBranchAreTheSameLineOnTheFloor) {
   // (ρ, θ) and (−ρ, θ − π) are one line. Features tell θ in (−π/2, π/2], which is the branch of the goal
   // θ* = 0: a line a little to either side of vertical has a small θ, never one near ±π.
