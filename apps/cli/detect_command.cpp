@@ -63,7 +63,7 @@ int detect(const DetectArguments& arguments) {
   for (const std::string& file : arguments.images) {
     const DetectionReport report = look_at(file, arguments, detector);
     if (report.error) exit_code = kFailed;
-    fmt::print("{}", arguments.json ? to_json(report).dump() + "\n" : to_text(report));
+    fmt::print("{}", arguments.json ? json_line(report) : to_text(report));
   }
   return exit_code;
 }

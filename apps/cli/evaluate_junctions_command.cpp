@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
 #include "apps/evaluate/junction_report.h"
 #include "apps/output/result_folder.h"
@@ -32,8 +33,8 @@ int evaluate(const Arguments& arguments) {
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
   const std::string json = junction_json(cases).dump(2) + "\n";
   if (folder) {
-    folder->write("evaluation.json", json);
     folder->write("evaluation.csv", junction_csv(cases));
+    folder->write("evaluation.json", json);
     folder->publish();
   }
   fmt::print("{}", arguments.json ? json : junction_table(cases));
@@ -48,7 +49,7 @@ void add_evaluate_junctions_command(CLI::App& group, int& exit_code) {
   Arguments& a = *arguments;
   CLI::App* command = group.add_subcommand(
       "junctions", "both recognisers along a03, a13, a23, a53 of warehouse and tape-warehouse");
-  command->add_option("--seed", a.seed, "seed of everything random (default 1)");
+  add_seed_option(*command, a.seed, "seed of everything random");
   command->add_option("--out", a.out, "folder for evaluation.json and evaluation.csv");
   command->add_flag("--json", a.json, "print evaluation.json instead of the table");
   command->callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });

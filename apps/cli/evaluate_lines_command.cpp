@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
 #include "apps/evaluate/line_evaluation.h"
 #include "apps/evaluate/line_report.h"
@@ -39,8 +40,8 @@ int evaluate(const Arguments& arguments) {
   if (interrupted) return kFailed;
   const std::string json = lines_json(arguments.options, rows).dump(2) + "\n";
   if (folder) {
-    folder->write("evaluation.json", json);
     folder->write("evaluation.csv", lines_csv(rows));
+    folder->write("evaluation.json", json);
     folder->publish();
   }
   fmt::print("{}", arguments.json ? json : lines_table(rows));
@@ -55,8 +56,8 @@ void add_evaluate_lines_command(CLI::App& group, int& exit_code) {
   Arguments& a = *arguments;
   CLI::App* command = group.add_subcommand(
       "lines", "line methods on clean, real-like and harsh frames, 1920x1080 and 640x480");
-  command->add_option("--frames", a.options.frames, "frames of each level and size (default 100)");
-  command->add_option("--seed", a.options.seed, "seed of everything random (default 1)");
+  add_whole_option(*command, "--frames", a.options.frames, 1, 100000, "frames of each level and size");
+  add_seed_option(*command, a.options.seed, "seed of everything random");
   command->add_option("--methods", a.options.methods, "only these, separated by commas (default: all)")
       ->delimiter(',');
   command->add_option("--out", a.out, "folder for evaluation.json and evaluation.csv");

@@ -14,9 +14,11 @@
 #include "apps/config/input_error.h"
 #include "apps/config/layout_file.h"
 #include "apps/config/layout_topology.h"
+#include "apps/config/settings_table.h"
+#include "apps/config/text_file.h"
 #include "apps/flight/flight.h"
+#include "apps/output/flight_folder.h"
 #include "apps/output/flight_summary.h"
-#include "apps/output/flight_tables.h"
 #include "apps/output/result_folder.h"
 
 namespace lineservo::apps {
@@ -27,34 +29,37 @@ volatile std::sig_atomic_t interrupted = 0;
 /// As typed; what was not typed keeps the value of --config or the default.
 struct FlyArguments {
   std::string target;
-  std::optional<std::string> controller, layout, conditions, config, out, seed;
-  std::optional<double> speed_m_s;
+  std::optional<std::string> controller, layout, conditions, config, out, seed, speed;
   std::vector<std::string> overrides;
   bool land = false, explain = false, json = false;
 };
 
+/// All of it goes into JSON and YAML, which hold UTF-8 alone.
+void check_text(const FlightRequest& request) {
+  for (const auto& [what, text] : {std::pair{"TARGET", &request.instruction},
+                                   {"--layout", &request.layout},
+                                   {"--conditions", &request.conditions}}) {
+    if (!is_utf8(*text)) throw InputError(fmt::format("fly: {} '{}': must be UTF-8 text", what, *text));
+  }
+}
+
 FlightRequest request_of(const FlyArguments& a) {
+  if (a.config && a.conditions)
+    throw InputError(
+        "fly: --config holds every setting, so --conditions cannot go with it; use --set KEY=VALUE");
   FlightRequest request = a.config ? read_config(*a.config) : FlightRequest{};
-  if (!a.config || a.conditions) apply_conditions(request, a.conditions.value_or(request.conditions));
+  if (!a.config) apply_conditions(request, a.conditions.value_or(request.conditions));
   if (!a.target.empty()) request.instruction = a.target;
   if (a.controller) request.controller = *a.controller;
   if (a.layout) request.layout = *a.layout;
   if (a.seed) request.seed = read_seed(*a.seed, fmt::format("--seed {}", *a.seed));
   if (a.land) request.land = true;
-  if (a.speed_m_s) apply_override(request, fmt::format("speed_m_s={}", *a.speed_m_s));
+  if (a.speed) SettingsTable(request.settings).set("speed_m_s", *a.speed, "--speed");
   for (const std::string& assignment : a.overrides) apply_override(request, assignment);
   if (request.instruction.empty())
     throw InputError("fly: TARGET is missing: an instruction such as a13, or node:NAME");
+  check_text(request);
   return request;
-}
-
-void write_results(ResultFolder& folder, const FlightRequest& request, const FlightRecord& record,
-                   const FlightSummary& summary) {
-  folder.write("summary.json", to_json(request, summary).dump(2) + "\n");
-  folder.write("flight.csv", flight_csv(record));
-  folder.write("events.csv", events_csv(record));
-  folder.write("config.yaml", config_text(request));
-  folder.publish();
 }
 
 int fly(const FlyArguments& arguments) {
@@ -70,6 +75,7 @@ int fly(const FlyArguments& arguments) {
   }
   std::optional<ResultFolder> folder;
   if (arguments.out) folder.emplace(*arguments.out);
+  const OwnFiles own = own_files(request);
 
   std::signal(SIGINT, [](int) { interrupted = 1; });
   ProgressLine line(request.instruction);
@@ -80,7 +86,7 @@ int fly(const FlyArguments& arguments) {
   });
   line.clear();
   const FlightSummary summary = summarise(request, floor, plan, record);
-  if (folder) write_results(*folder, request, record, summary);
+  if (folder) write_flight(*folder, request, own, record, summary);
   if (arguments.json) {
     fmt::print("{}\n", to_json(request, summary).dump(2));
   } else {
@@ -101,18 +107,23 @@ void add_fly_command(CLI::App& app, int& exit_code) {
                       "the law that flies (default ibvs; lineservo controllers lists them)");
   command->add_option("--layout", a.layout, "a floor that ships, or a YAML file (default warehouse)");
   command->add_option("--conditions", a.conditions, "conditions that ship, or a YAML file (default paper)");
-  command->add_option("--speed", a.speed_m_s,
-                      "speed along the line in m/s (default: that of the conditions)");
+  command->add_option("--speed", a.speed, "speed along the line in m/s (default: that of the conditions)");
   command->add_option("--seed", a.seed, "seed of everything random (default 1)");
   command
       ->add_option_function<std::string>(
           "--set", [&a](const std::string& assignment) { a.overrides.push_back(assignment); },
           "KEY=VALUE: any setting of config.yaml; may be repeated")
       ->trigger_on_parse();
-  command->add_option("--config", a.config, "the config.yaml of an earlier flight, to repeat it");
+  command->add_option(
+      "--config", a.config,
+      "the config.yaml of an earlier flight, to repeat it; what else is typed goes before it. It holds "
+      "every setting: not together with --conditions");
   command->add_flag("--land", a.land, "land on the target instead of hovering");
   command->add_flag("--explain", a.explain, "print the plan and do not fly");
-  command->add_option("--out", a.out, "folder for summary.json, flight.csv, events.csv and config.yaml");
+  command->add_option(
+      "--out", a.out,
+      "folder for summary.json, flight.csv, events.csv, config.yaml, and layout.yaml and conditions.yaml "
+      "when they are your own");
   command->add_flag("--json", a.json, "print summary.json instead of the short report");
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });
 }

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 
 #include "apps/cli/detect_command.h"
@@ -25,20 +28,34 @@ void complain(std::string message) {
   std::fputs(fmt::format("lineservo: {}\n", message).c_str(), stderr);
 }
 
+/// What a parse failed on that was none of a command's words.
+std::string unknown_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  if (!chosen.empty()) return unknown_command(*chosen.front());
+  const std::vector<std::string> words = app.remaining();
+  const std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
+  if (words.empty() || words.front().starts_with('-') || commands.empty()) return {};
+  std::string names;
+  for (const CLI::App* command : commands) names += (names.empty() ? "" : ", ") + command->get_name();
+  return fmt::format("unknown command '{}'; allowed: {}", words.front(), names);
+}
+
 int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) try {
   app.parse(argc, argv);
   return exit_code;
 } catch (const CLI::Success& help) {
   return app.exit(help);
 } catch (const CLI::ParseError& error) {
-  complain(std::string(error.what()) + " (lineservo --help tells more)");
+  const std::string unknown = unknown_command(app);
+  complain((unknown.empty() ? error.what() : unknown) + " (lineservo --help tells more)");
   return kBadInput;
 }
 
 }  // namespace
 
-int run_program(int argc, char** argv) try {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, as on a full disk
+namespace {
+
+int run(int argc, char** argv) try {
   CLI::App app("lineservo: a quadrotor follows painted floor lines by visual servoing.", "lineservo");
   app.set_version_flag("--version", std::string(kVersion));
   app.require_subcommand(1);
@@ -57,8 +74,21 @@ int run_program(int argc, char** argv) try {
   complain(error.what());
   return kBadInput;
 } catch (const std::exception& error) {
+  if (std::ferror(stdout) != 0) return kDone;  // told by the caller
   complain(std::string("internal fault: ") + error.what());
   return kFailed;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, as on a full disk
+  const int exit_code = run(argc, argv);
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  complain(std::string("standard output cannot be written") + (errno == 0 ? "" : ": ") +
+           (errno == 0 ? "" : std::strerror(errno)));
+  return kBadInput;
 }
 
 }  // namespace lineservo::apps

@@ -64,6 +64,12 @@ fs::path find_data(DataKind kind, const std::string& name_or_path) {
                                name_or_path, names));
 }
 
+bool is_shipped(DataKind kind, const std::string& name) {
+  const std::vector<fs::path> files = shipped(kind);
+  return std::any_of(files.begin(), files.end(),
+                     [&name](const fs::path& file) { return file.stem() == name; });
+}
+
 std::string shipped_text(const fs::path& file) {
   std::ifstream stream(data_root() / file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

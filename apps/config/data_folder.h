@@ -13,6 +13,9 @@ enum class DataKind { layout, conditions };
 /// InputError, with the names that there are, for anything else.
 std::filesystem::path find_data(DataKind kind, const std::string& name_or_path);
 
+/// Whether a name is that of something that ships.
+bool is_shipped(DataKind kind, const std::string& name);
+
 /// The text of a file that ships, by its path in the data folder ("models/yellow.yaml"). Throws InputError.
 std::string shipped_text(const std::filesystem::path& file);
 

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <limits>
 
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
+#include "apps/config/numbers.h"
 #include "apps/config/settings_table.h"
 #include "apps/config/yaml_reader.h"
 #include "apps/version.h"
@@ -31,6 +32,12 @@ bool take_mission_key(FlightRequest& request, const YamlEntry& entry, const std:
 
 std::string where_is(const YamlReader& yaml, const YamlEntry& entry) {
   return fmt::format("{}:{}", yaml.file().string(), entry.line);
+}
+
+/// A name that ships, or the path of a file, which a config gives from its own folder.
+std::string beside(const std::filesystem::path& config, DataKind kind, const std::string& name_or_path) {
+  if (name_or_path.empty() || is_shipped(kind, name_or_path)) return name_or_path;
+  return (config.parent_path() / name_or_path).string();
 }
 
 /// Double-quoted YAML: any name or path reads back as it was.
@@ -84,11 +91,11 @@ class NestedWriter {
 }  // namespace
 
 std::uint64_t read_seed(const std::string& text, const std::string& where) {
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc{} || stop != end) throw InputError(where + ": 'seed' must be a whole number from 0");
-  return seed;
+  using Limits = std::numeric_limits<std::uint64_t>;
+  const std::optional<std::uint64_t> seed = parse_number(text, Limits::min(), Limits::max());
+  if (!seed)
+    throw InputError(fmt::format("{}: 'seed' must be a whole number from 0 to {}", where, Limits::max()));
+  return *seed;
 }
 
 void apply_conditions(FlightRequest& request, const std::string& name_or_path) {
@@ -117,6 +124,8 @@ FlightRequest read_config(const std::filesystem::path& file) {
     const std::string where = where_is(yaml, entry);
     if (!take_mission_key(request, entry, where)) table.set(entry.key, entry.text, where);
   }
+  request.layout = beside(file, DataKind::layout, request.layout);
+  request.conditions = beside(file, DataKind::conditions, request.conditions);
   return request;
 }
 

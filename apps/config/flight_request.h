@@ -28,7 +28,8 @@ void apply_conditions(FlightRequest& request, const std::string& name_or_path);
 /// Puts one KEY=VALUE over those of the request. Throws InputError.
 void apply_override(FlightRequest& request, const std::string& assignment);
 
-/// Reads a config.yaml: the request of an earlier flight. Throws InputError naming file, line and key.
+/// Reads a config.yaml: the request of an earlier flight. Paths of a layout and of conditions are taken from
+/// the folder of the config. Throws InputError naming file, line and key.
 FlightRequest read_config(const std::filesystem::path& file);
 
 /// The request as config.yaml, with the program's version; reads back to the last bit.

@@ -4,25 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
+#include <limits>
 
 #include "apps/config/input_error.h"
+#include "apps/config/numbers.h"
 #include "features/detect/segmenters.h"
 #include "features/line/line_methods.h"
 
 namespace lineservo::apps {
 namespace {
-
-template <typename Number>
-std::optional<Number> parse(const std::string& text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
-}
 
 std::size_t common_prefix(const std::string& a, const std::string& b) {
   return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
@@ -158,8 +148,8 @@ void SettingsTable::set(const std::string& key, const std::string& text, const s
 
 void SettingsTable::number(std::string key, double& value, double low, double high) {
   const auto set = [&value, low, high](const std::string& text) {
-    const std::optional<double> parsed = parse<double>(text);
-    if (!parsed || !(*parsed >= low && *parsed <= high)) return false;
+    const std::optional<double> parsed = parse_number(text, low, high);
+    if (!parsed) return false;
     value = *parsed;
     return true;
   };
@@ -169,8 +159,8 @@ void SettingsTable::number(std::string key, double& value, double low, double hi
 
 void SettingsTable::whole(std::string key, int& value, int low, int high) {
   const auto set = [&value, low, high](const std::string& text) {
-    const std::optional<int> parsed = parse<int>(text);
-    if (!parsed || *parsed < low || *parsed > high) return false;
+    const std::optional<int> parsed = parse_number(text, low, high);
+    if (!parsed) return false;
     value = *parsed;
     return true;
   };
@@ -181,7 +171,7 @@ void SettingsTable::whole(std::string key, int& value, int low, int high) {
 void SettingsTable::whole(std::string key, int& value, std::vector<int> choices) {
   const std::string allowed = fmt::format("one of {}", fmt::join(choices, ", "));
   const auto set = [&value, choices = std::move(choices)](const std::string& text) {
-    const std::optional<int> parsed = parse<int>(text);
+    const auto parsed = parse_number<int>(text, 0, std::numeric_limits<int>::max());
     if (!parsed || std::find(choices.begin(), choices.end(), *parsed) == choices.end()) return false;
     value = *parsed;
     return true;

@@ -1,12 +1,15 @@
 #include "apps/config/yaml_reader.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "apps/config/input_error.h"
+#include "apps/config/text_file.h"
 
 namespace lineservo::apps {
 namespace {
@@ -21,21 +24,58 @@ std::string joined(const std::vector<std::string>& words) {
   return list;
 }
 
+/// Refuses what no file of ours needs, before anything is built of it: a few aliases of aliases make a tree
+/// that no memory holds.
+class Gate : public YAML::EventHandler {
+ public:
+  explicit Gate(const std::filesystem::path& file) : file_(file) {}
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { check(mark, anchor); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { refuse(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                const std::string&) override {
+    check(mark, anchor);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    check(mark, anchor);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    check(mark, anchor);
+  }
+  void OnMapEnd() override {}
+
+ private:
+  void check(const YAML::Mark& mark, YAML::anchor_t anchor) const {
+    if (anchor != 0) refuse(mark);
+  }
+  [[noreturn]] void refuse(const YAML::Mark& mark) const {
+    throw InputError(
+        fmt::format("{}:{}: anchors (&x) and aliases (*x) are not allowed", file_.string(), mark.line + 1));
+  }
+
+  const std::filesystem::path& file_;
+};
+
 YAML::Node load(const std::filesystem::path& file) try {
-  // Of a folder yaml-cpp reads until the stream throws, and leaks its buffer.
-  if (std::filesystem::is_directory(file)) throw InputError(file.string() + ": is a folder, not a YAML file");
-  return YAML::LoadFile(file.string());
-} catch (const YAML::BadFile&) {
-  throw InputError(file.string() + ": cannot be read");
+  const std::string text = read_text_file(file);
+  std::istringstream stream(text);
+  Gate gate(file);
+  YAML::Parser(stream).HandleNextDocument(gate);
+  return YAML::Load(text);
 } catch (const YAML::Exception& error) {
   throw InputError(file.string() + ":" + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
 }
 
-/// Deeper than any file of ours; a node that holds itself by an alias has no bottom.
+/// Deeper than any file of ours.
 constexpr int kDeepest = 32;
 
 void refuse_double_keys(const YamlReader& reader, const YAML::Node& node, int depth = 0) {
-  if (depth > kDeepest) reader.fail(node, "nested too deeply, or a part that holds itself");
+  if (depth > kDeepest) reader.fail(node, "nested too deeply");
   if (!node.IsMap()) {
     for (const auto& item : node) {
       if (node.IsSequence()) refuse_double_keys(reader, item, depth + 1);

@@ -6,7 +6,10 @@
 
 namespace lineservo::apps {
 
-/// Files that appear whole or not at all: each is written aside and renamed at the end.
+/// Files that appear whole or not at all: each is written aside and renamed at the end. The one that is
+/// written last is the seal of its set: at publishing an earlier one goes before anything else changes and
+/// the new one comes when all else is there, so that where it stands the files beside it are of the same run.
+/// Of several that publish into one folder each waits for the other.
 class ResultFolder {
  public:
   /// Makes the folder when it is not there, and proves that it can be written to. Throws InputError.
@@ -15,17 +18,23 @@ class ResultFolder {
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 
-  /// Writes a file aside. Throws InputError (disk full, no permission).
+  /// Throws InputError unless the name is free or a file's, which may be replaced: a device or a folder may
+  /// not.
+  void check(const std::string& name) const;
+  /// Writes a file aside. Throws InputError (disk full, no permission, a name that is not free).
   void write(const std::string& name, const std::string& content);
+  /// A file of an earlier set that this one does not have: it goes when this one is published.
+  void leave_out(const std::string& name) { left_out_.push_back(name); }
   /// Renames everything written to its final name.
   void publish();
 
  private:
   std::filesystem::path aside(const std::string& name) const;
+  void remove(const std::string& name) const;
 
   std::filesystem::path folder_;
   std::string suffix_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, left_out_;
 };
 
 }  // namespace lineservo::apps

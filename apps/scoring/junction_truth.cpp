@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/config/layout_topology.h"
 #include "features/geometry/angles.h"
 #include "features/geometry/level_view.h"
 #include "features/junction/fpd.h"
@@ -170,7 +171,7 @@ const JunctionTruth::Node* JunctionTruth::node_in_view(const View& view) const {
 
 int JunctionTruth::marker_pixels(const View& view) const {
   double total = 0.0;
-  for (const vehicle::LayoutMarker& marker : layout_.start_markers) {
+  for (const vehicle::LayoutMarker& marker : red_discs(layout_)) {
     if ((marker.p_W - view.below_W).norm() > view.reach_m() + marker.radius_m) continue;
     Polygon disc;
     constexpr int kSides = 72;

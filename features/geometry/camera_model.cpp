@@ -33,16 +33,26 @@ CameraModel::CameraModel(const CameraParameters& parameters) : parameters_(param
     throw std::invalid_argument("camera: the distortion cannot be undone at the image's corners");
 }
 
-// Where the radial polynomial turns back, two rays share a pixel: the inverse is lost, or lands on the wrong
-// one.
 bool CameraModel::undoes_corners() const {
   for (const double x : {-0.5, width_px() - 0.5}) {
     for (const double y : {-0.5, height_px() - 0.5}) {
-      const PixelPoint back = project(normalize({x, y}));
-      if (!(std::hypot(back.x - x, back.y - y) < 0.01)) return false;
+      const NormalizedPoint ray = normalize({x, y});
+      const PixelPoint back = project(ray);
+      if (!(std::hypot(back.x - x, back.y - y) < 0.01) || folds_before(ray)) return false;
     }
   }
   return true;
+}
+
+// Where the radial polynomial turns back, det ∂x'/∂x ≤ 0 and two rays share a pixel: behind the fold the
+// inverse lands on the wrong one of them.
+bool CameraModel::folds_before(NormalizedPoint point) const {
+  constexpr int kSteps = 64;
+  for (int k = 1; k <= kSteps; ++k) {
+    const double share = static_cast<double>(k) / kSteps;
+    if (!(distortion_slope({share * point.x, share * point.y}).determinant() > 0.0)) return true;
+  }
+  return false;
 }
 
 PixelPoint CameraModel::project(NormalizedPoint point) const {
@@ -68,23 +78,28 @@ NormalizedPoint CameraModel::distort(NormalizedPoint point) const {
           y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y};
 }
 
-NormalizedPoint CameraModel::undistort(NormalizedPoint distorted) const {
+// ∂(x', y')/∂(x, y) of the above.
+CameraModel::Slope CameraModel::distortion_slope(NormalizedPoint point) const {
   const auto [k1, k2, p1, p2, k3] = parameters_.distortion;
+  const double x = point.x, y = point.y;
+  const double r2 = x * x + y * y;
+  const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // d(radial)/d(r²) · 2
+  return {radial + x * x * slope + 2.0 * p1 * y + 6.0 * p2 * x, x * y * slope + 2.0 * p1 * x + 2.0 * p2 * y,
+          radial + y * y * slope + 6.0 * p1 * y + 2.0 * p2 * x};
+}
+
+NormalizedPoint CameraModel::undistort(NormalizedPoint distorted) const {
   double x = distorted.x, y = distorted.y;
   for (int iteration = 0; iteration < 20; ++iteration) {
     const NormalizedPoint at = distort({x, y});
     const double ex = at.x - distorted.x, ey = at.y - distorted.y;
     if (ex * ex + ey * ey < 1e-26) break;
-    const double r2 = x * x + y * y;
-    const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-    const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // d(radial)/d(r²) · 2
-    const double jxx = radial + x * x * slope + 2.0 * p1 * y + 6.0 * p2 * x;
-    const double jxy = x * y * slope + 2.0 * p1 * x + 2.0 * p2 * y;
-    const double jyy = radial + y * y * slope + 6.0 * p1 * y + 2.0 * p2 * x;
-    const double det = jxx * jyy - jxy * jxy;
+    const Slope j = distortion_slope({x, y});
+    const double det = j.determinant();
     if (std::abs(det) < 1e-12) break;
-    x -= (jyy * ex - jxy * ey) / det;
-    y -= (jxx * ey - jxy * ex) / det;
+    x -= (j.yy * ex - j.xy * ey) / det;
+    y -= (j.xx * ey - j.xy * ex) / det;
   }
   return {x, y};
 }

@@ -22,8 +22,8 @@ struct CameraParameters {
 class CameraModel {
  public:
   /// Throws std::invalid_argument that names every value that is out of bounds: sizes of 16…16384 pixels,
-  /// positive finite focal lengths, a finite principal point, finite distortion that can be undone at the
-  /// image's corners.
+  /// positive finite focal lengths, a finite principal point, finite distortion that does not fold
+  /// before the image's corners.
   explicit CameraModel(const CameraParameters& parameters);
 
   const CameraParameters& parameters() const { return parameters_; }
@@ -37,7 +37,15 @@ class CameraModel {
   NormalizedPoint normalize(PixelPoint pixel) const;
 
  private:
+  /// The symmetric Jacobian of the distortion.
+  struct Slope {
+    double xx, xy, yy;
+    double determinant() const { return xx * yy - xy * xy; }
+  };
+
   bool undoes_corners() const;
+  bool folds_before(NormalizedPoint point) const;
+  Slope distortion_slope(NormalizedPoint point) const;
   NormalizedPoint distort(NormalizedPoint point) const;
   NormalizedPoint undistort(NormalizedPoint distorted) const;
 

@@ -10,11 +10,13 @@
 namespace lineservo::servo {
 namespace {
 
-using features::FrameFeatures;
 using features::LineFeature;
 
 constexpr double kNewLine_rad =
     features::radians(25.0);  // how near its heading a turn takes a line for the next edge
+
+/// Nearer than this a disc is told, in heights: 0.2 m at 0.5 m, about where a cross is.
+constexpr double kDiscNear_heights = 0.4;
 
 /// The line whose angle (mod π) is nearest to a given one, if within the bound.
 const LineFeature* nearest_line(const std::vector<LineFeature>& lines, double theta_rad, double bound_rad) {
@@ -29,8 +31,30 @@ const LineFeature* nearest_line(const std::vector<LineFeature>& lines, double th
   return best;
 }
 
-/// Where the frame shows the node that the step expects: the junction's centre, or a dead end's end.
+/// Where the frame shows a red disc: the start marker, or one on a node.
+std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
+  if (!o.features.start_marker) return std::nullopt;
+  return floor_point_m(*o.features.start_marker, o.capture_height_m);
+}
+
+bool expects_disc(const PlanStep* step) {
+  return step && step->expected.code == features::JunctionCode::start;
+}
+
+/// The reading with a disc only where one is expected, and near: its first sliver says little of its middle.
+features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
+  features::CodeReading reading = o.features.code;
+  if (reading.smoothed != features::JunctionCode::start) return reading;
+  const auto disc = disc_sighting(o);
+  const bool is_near = disc && disc->norm() < kDiscNear_heights * o.capture_height_m;
+  if (!expects_disc(step) || !is_near) reading.smoothed = features::JunctionCode::unrecognised;
+  return reading;
+}
+
+/// Where the frame shows the node that the step expects: its disc, the junction's centre, or a dead end's
+/// end.
 std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step) {
+  if (expects_disc(step)) return disc_sighting(o);
   if (o.features.junction) return floor_point_m(o.features.junction->centre, o.capture_height_m);
   const bool dead_end =
       step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
@@ -38,12 +62,6 @@ std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanSte
     return floor_point_m(line_to_follow(o)->end, o.capture_height_m);
   }
   return std::nullopt;
-}
-
-/// Where the frame shows the start marker.
-std::optional<Eigen::Vector2d> start_sighting(const Observation& o) {
-  if (!o.features.start_marker) return std::nullopt;
-  return floor_point_m(*o.features.start_marker, o.capture_height_m);
 }
 
 VelocityCommand moving_as(const Observation& o) {
@@ -83,7 +101,6 @@ Command Executive::tick(const Observation& observation, bool on_ground) {
 }
 
 void Executive::observe(const Observation& observation) {
-  const FrameFeatures& seen = observation.features;
   if (const LineFeature* line = line_to_follow(observation)) {
     const LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
     line_seen_ = observation.now;
@@ -97,11 +114,12 @@ void Executive::observe(const Observation& observation) {
   last_odometry_ = observation.odometry_now;
 
   node_ = phase_ == Phase::follow
-              ? matcher_.update(seen.code, travelled_m_ > options_.leaving_heights * observation.height_m)
+              ? matcher_.update(near_reading(observation, current_step()),
+                                travelled_m_ > options_.leaving_heights * observation.height_m)
               : std::nullopt;
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
-        phase_ == Phase::align ? start_sighting(observation) : node_sighting(observation, current_step());
+        phase_ == Phase::align ? disc_sighting(observation) : node_sighting(observation, current_step());
     const bool is_left_behind = !tracks_node(phase_) && !node_ && sighting && sighting->x() < 0.0;
     if (is_left_behind) sighting.reset();  // still in view, but not the next one
     tracker_.observe(observation, sighting);

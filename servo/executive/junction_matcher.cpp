@@ -7,6 +7,7 @@ using features::JunctionCode;
 
 std::optional<NodeSighting> complete_node(const CodeReading& reading) {
   switch (reading.smoothed) {
+    case JunctionCode::start:
     case JunctionCode::cross:
     case JunctionCode::tee_right:
     case JunctionCode::tee_left:

@@ -36,8 +36,9 @@ class JunctionMatcher {
   int candidate_frames_ = 0;
 };
 
-/// The node that a reading shows with all its arms, or none: ┼, ├ and ┤ by their codes; a corner, a ┬ and a
-/// dead end only when the line is seen to end, because before that a ┼, ├ or ┤ that comes up reads the same.
+/// The node that a reading shows with all its arms, or none: a red disc, ┼, ├ and ┤ by their codes; a corner,
+/// a ┬ and a dead end only when the line is seen to end, because before that a ┼, ├ or ┤ that comes up reads
+/// the same.
 std::optional<NodeSighting> complete_node(const features::CodeReading& reading);
 
 /// Plain line and nothing else.

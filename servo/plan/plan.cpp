@@ -16,25 +16,37 @@ using features::kPi;
 using features::wrap_angle;
 
 constexpr double kArmTolerance_rad = features::radians(25.0);  // codes.md
+constexpr double kStraightOn_rad = features::radians(15.0);    // beyond, the camera may see a corner
+constexpr NodeSignature kDisc{JunctionCode::start, JunctionCode::start, false};
 
 bool near(double angle_rad, double direction_rad) {
   return std::abs(wrap_angle(angle_rad - direction_rad)) <= kArmTolerance_rad;
 }
 
+std::string in_degrees(double angle_rad) {
+  return std::to_string(std::lround(features::degrees(angle_rad))) + "°";
+}
+
+/// The arm that lies in this direction to the way.
+bool& side_of(Arms& arms, double angle_rad) {
+  if (near(angle_rad, 0.0)) return arms.forward;
+  if (near(angle_rad, kPi)) return arms.back;
+  if (near(angle_rad, kPi / 2)) return arms.left;
+  if (near(angle_rad, -kPi / 2)) return arms.right;
+  throw std::invalid_argument(
+      "an arm at " + in_degrees(angle_rad) +
+      " to the way is none that the junction codes can name (forward, back, left, right)");
+}
+
 void add_arm(Arms& arms, double angle_rad) {
-  if (near(angle_rad, 0.0)) {
-    arms.forward = true;
-  } else if (near(angle_rad, kPi)) {
-    arms.back = true;
-  } else if (near(angle_rad, kPi / 2)) {
-    arms.left = true;
-  } else if (near(angle_rad, -kPi / 2)) {
-    arms.right = true;
-  } else {
+  bool& side = side_of(arms, angle_rad);
+  if (side) {
     throw std::invalid_argument(
-        "an arm at " + std::to_string(std::lround(features::degrees(angle_rad))) +
-        "° to the way is none that the junction codes can name (forward, back, left, right)");
+        "the arm at " + in_degrees(angle_rad) +
+        " to the way is one of two on the same side: the camera cannot tell them apart "
+        "(allowed is one each forward, back, left and right, within 25°)");
   }
+  side = true;
 }
 
 std::vector<double> relative_angles(const TopologyNode& node, double travel_heading_rad) {
@@ -50,19 +62,45 @@ bool looks_like_plain_line(const NodeSignature& s) {
 PlanStep arrive(const Topology& topology, const TopologyArm& by) {
   PlanStep step;
   step.node = topology.nodes[by.to].name;
-  step.edge_length_m = topology.edge_lengths_m[by.edge];
-  step.edge_bends = by.bends;
+  step.edge_length_m = topology.edges[by.edge].length_m;
+  step.edge_bends = topology.edges[by.edge].bends;
   try {
     step.expected = signature(relative_angles(topology.nodes[by.to], by.arrival_heading_rad));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("node " + step.node + ": " + error.what());
   }
+  if (topology.nodes[by.to].has_disc) step.expected = kDisc;
   return step;
+}
+
+/// The vehicle is put down facing the first edge: no other arm may pass for it.
+void check_start(const Topology& topology, const TopologyArm& first) {
+  const TopologyNode& start = topology.nodes[topology.start];
+  for (const TopologyArm& arm : start.arms) {
+    const double apart_rad = wrap_angle(arm.heading_rad - first.heading_rad);
+    const bool is_itself = arm.edge == first.edge && apart_rad == 0.0;
+    if (is_itself || !near(apart_rad, 0.0)) continue;
+    throw std::invalid_argument("node " + start.name + ": two lines leave it only " +
+                                in_degrees(std::abs(apart_rad)) +
+                                " apart: the camera cannot tell them apart (allowed is more than 25°)");
+  }
+}
+
+void check_corners(const Topology& topology, const TopologyArm& by, const std::string& from) {
+  const double corner_rad = topology.edges[by.edge].sharpest_corner_rad;
+  if (corner_rad <= kStraightOn_rad) return;
+  throw std::invalid_argument("the line from " + from + " to " + topology.nodes[by.to].name + " turns by " +
+                              in_degrees(corner_rad) +
+                              " at once: allowed between nodes are 15°; put a node there");
 }
 
 void leave(PlanStep& step, const TopologyArm& by, const TopologyArm& onto) {
   const double turn_rad = wrap_angle(onto.heading_rad - by.arrival_heading_rad);
-  if (near(turn_rad, 0.0)) return;
+  if (std::abs(turn_rad) <= kStraightOn_rad) return;
+  if (near(turn_rad, 0.0)) {
+    throw std::invalid_argument("node " + step.node + ": the way bends by " + in_degrees(std::abs(turn_rad)) +
+                                ", neither straight on (up to 15°) nor a turn (from 65°)");
+  }
   if (looks_like_plain_line(step.expected)) {
     throw std::invalid_argument("node " + step.node +
                                 ": the way turns where the camera sees only plain line");
@@ -116,8 +154,10 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
   if (!route) throw std::invalid_argument(instruction + ": no painted way leads to " + target_name);
 
   Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}, *route};
+  check_start(topology, route->front());
   UnseenEdges unseen;
   for (std::size_t k = 0; k < route->size(); ++k) {
+    check_corners(topology, (*route)[k], topology.nodes[k == 0 ? topology.start : (*route)[k - 1].to].name);
     PlanStep step = arrive(topology, (*route)[k]);
     if (k + 1 < route->size()) {
       leave(step, (*route)[k], (*route)[k + 1]);

@@ -41,7 +41,8 @@ struct Plan {
 
 /// Compiles the way from the start node to a node. Throws std::invalid_argument that says why when there is
 /// no route, when the target is the start, when the camera cannot tell a node that matters (it looks like
-/// plain line), or when arms meet at angles that the codes cannot name.
+/// plain line), when arms meet at angles that the codes cannot name or two on one side, or when the way bends
+/// by 15 to 65° at once.
 Plan compile(const Topology& topology, std::size_t target, std::string instruction);
 
 /// The node that a target names: a DIF (a13) by the topology's labels, or node:NAME. Throws
@@ -49,7 +50,8 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
 std::size_t find_target(const Topology& topology, std::string_view target);
 
 /// How a node with arms at these angles (relative to the direction of travel, back arm included) looks.
-/// Throws std::invalid_argument when an arm is more than 25° off forward, back, left and right.
+/// Throws std::invalid_argument when an arm is more than 25° off forward, back, left and right, or two are on
+/// one side.
 NodeSignature signature(const std::vector<double>& arm_angles_rad);
 
 std::string_view name(Manoeuvre manoeuvre);

@@ -37,7 +37,7 @@ const TopologyArm& taken(const Topology& topology, State state) {
 }
 
 long length_mm(const Topology& topology, const TopologyArm& arm) {
-  return std::lround(1000.0 * topology.edge_lengths_m[arm.edge]);
+  return std::lround(1000.0 * topology.edges[arm.edge].length_m);
 }
 
 Cost first_cost(const Topology& topology, const TopologyArm& arm) {

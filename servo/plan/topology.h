@@ -13,12 +13,18 @@ struct TopologyArm {
   std::size_t to = 0;        ///< node at the other end
   double heading_rad = 0.0;  ///< in which the arm leaves the node, from +x of the floor, counter-clockwise
   double arrival_heading_rad = 0.0;  ///< of a traveller who reaches `to` along this arm
-  bool bends = false;                ///< the edge is not straight
 };
 
 struct TopologyNode {
   std::string name;
   std::vector<TopologyArm> arms;
+  bool has_disc = false;  ///< a red disc lies on it, which is all that a camera above it can tell
+};
+
+struct TopologyEdge {
+  double length_m = 0.0;
+  double sharpest_corner_rad = 0.0;  ///< by which the line turns at once between its nodes, ≥ 0
+  bool bends = false;                ///< it is not straight
 };
 
 /// What the executive may know of a floor: which nodes are joined, in which directions the arms leave, what
@@ -27,7 +33,7 @@ struct TopologyNode {
 struct Topology {
   std::string name;
   std::vector<TopologyNode> nodes;
-  std::vector<double> edge_lengths_m;
+  std::vector<TopologyEdge> edges;
   std::map<std::string, std::size_t> labels;  ///< DIF → node
   std::size_t start = 0;
 };

@@ -83,7 +83,7 @@ features::CodeReading reading(const LevelPoint& node, double half_stripe, const 
 }  // namespace
 
 std::size_t TestFloor::add(std::string node, const Eigen::Vector2d& p_W) {
-  nodes_.push_back({std::move(node), p_W});
+  nodes_.push_back({std::move(node), p_W, false});
   return nodes_.size() - 1;
 }
 
@@ -131,10 +131,10 @@ Topology TestFloor::topology() const {
   Topology topology;
   topology.name = name_;
   topology.labels = labels_;
-  for (const Node& node : nodes_) topology.nodes.push_back({node.name, {}});
+  for (const Node& node : nodes_) topology.nodes.push_back({node.name, {}, node.has_disc});
   for (std::size_t k = 0; k < edges_.size(); ++k) {
     const auto [a, b] = edges_[k];
-    topology.edge_lengths_m.push_back((nodes_[a].p_W - nodes_[b].p_W).norm());
+    topology.edges.push_back({(nodes_[a].p_W - nodes_[b].p_W).norm()});
     topology.nodes[a].arms.push_back({k, b, heading(a, b), heading(a, b)});
     topology.nodes[b].arms.push_back({k, a, heading(b, a), heading(b, a)});
   }
@@ -180,6 +180,11 @@ void TestFloor::add_junction(const Pose& pose, const Node& node, features::Frame
   frame.code = reading(junction.centre, 0.5 * kStripe_m / pose.height_m, angles);
   const bool straight_on = angles.size() == 2 && near(angles[0], wrap_angle(angles[1] + kPi));
   if (angles.size() >= 2 && !straight_on) frame.junction = junction;
+  const bool is_disc_seen =
+      std::abs(junction.centre.x) < kViewHalfWidth && std::abs(junction.centre.y) < kViewHalfHeight;
+  if (!node.has_disc || !is_disc_seen) return;
+  frame.start_marker = junction.centre;
+  frame.code.raw = frame.code.held = frame.code.smoothed = JunctionCode::start;
 }
 
 features::FrameFeatures TestFloor::view(const Pose& pose) const {

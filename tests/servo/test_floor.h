@@ -23,6 +23,8 @@ class TestFloor {
 
   std::size_t add(std::string node, const Eigen::Vector2d& p_W);
   std::size_t add_labelled(std::string label, const Eigen::Vector2d& p_W);
+  /// Paints a red disc of the stripe's width over a node.
+  void lay_disc(std::string_view node) { nodes_[index(node)].has_disc = true; }
   void join(std::size_t a, std::size_t b);
   void join(std::string_view a, std::string_view b) { join(index(a), index(b)); }
   /// Wears the paint between two nodes off.
@@ -43,6 +45,7 @@ class TestFloor {
   struct Node {
     std::string name;
     Eigen::Vector2d p_W;
+    bool has_disc = false;
   };
   struct Edge {
     std::size_t a, b;

@@ -100,6 +100,12 @@ Curve Curve::arc(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W, con
   return Curve({{from_W, std::atan2(forward.y(), forward.x()), sweep_rad * radius_m, sense / radius_m}});
 }
 
+std::vector<Curve> Curve::parts() const {
+  std::vector<Curve> parts;
+  for (const CurvePiece& piece : pieces_) parts.push_back(Curve({piece}));
+  return parts;
+}
+
 CurvePoint Curve::at(double arc_length_m) const {
   if (pieces_.empty()) return {};
   double s_m = std::clamp(arc_length_m, 0.0, length_m_);

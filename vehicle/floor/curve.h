@@ -42,6 +42,8 @@ class Curve {
 
   const std::vector<CurvePiece>& pieces() const { return pieces_; }
   double length_m() const { return length_m_; }
+  /// Each piece as a curve of its own.
+  std::vector<Curve> parts() const;
   /// The point at an arc length, clamped to the curve.
   CurvePoint at(double arc_length_m) const;
   CurveProjection project(const Eigen::Vector2d& p_W) const;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "vehicle/floor/overlaps.h"
+
 namespace lineservo::vehicle {
 namespace {
 
@@ -69,7 +71,7 @@ std::vector<std::string> faults(const Layout& layout) {
   for (std::size_t i = 0; i < layout.edges.size(); ++i) check_edge(layout, i, list);
   check_markers(layout.start_markers, "start", list);
   check_markers(layout.end_markers, "end", list);
-  return list;
+  return list.empty() ? overlaps(layout) : list;
 }
 
 }  // namespace lineservo::vehicle

@@ -35,13 +35,23 @@ class ProgramTest : public ::testing::Test {
  protected:
   /// `largest_file`: bytes that a file may grow to, as on a disk that is full; 0 for no such limit.
   Ran run(const std::vector<std::string>& arguments, rlim_t largest_file = 0) const {
-    const fs::path out = temp_.path() / "stdout", err = temp_.path() / "stderr";
+    return run_to(temp_.path() / "stdout", fs::current_path(), arguments, largest_file);
+  }
+  Ran run_in(const fs::path& folder, const std::vector<std::string>& arguments) const {
+    return run_to(temp_.path() / "stdout", folder, arguments, 0);
+  }
+  Ran run_to(const fs::path& out, const fs::path& folder, const std::vector<std::string>& arguments,
+             rlim_t largest_file) const {
+    const fs::path err = temp_.path() / "stderr";
     const pid_t child = ::fork();
-    if (child == 0) become_program(arguments, out, err, largest_file);
+    if (child == 0) {
+      if (::chdir(folder.c_str()) != 0) ::_exit(126);
+      become_program(arguments, out, err, largest_file);
+    }
     int status = 0;
     EXPECT_EQ(::waitpid(child, &status, 0), child);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return {code, read_text(out), read_text(err)};
+    return {code, fs::is_regular_file(out) ? read_text(out) : "", read_text(err)};
   }
   /// Bad input: exit code 2, one line on stderr, nothing on stdout. Returns the line.
   std::string refusal(const std::vector<std::string>& arguments) const {
@@ -140,10 +150,22 @@ TEST_F(ProgramTest, RefusesSettingsThatAreNone) {
 }
 
 TEST_F(ProgramTest, RefusesNumbersThatAreNone) {
-  for (const char* speed : {"fast", "nan", "inf", "0", "-1", "2.01"})
-    EXPECT_THAT(refusal({"fly", "a13", std::string("--speed=") + speed}), HasSubstr("speed")) << speed;
-  for (const char* seed : {"one", "1.5", "-1", "18446744073709551616"})
-    EXPECT_THAT(refusal({"fly", "a13", std::string("--seed=") + seed}), HasSubstr("seed")) << seed;
+  for (const char* speed : {"fast", "nan", "inf", "0", "-1", "2.01", "", "0.1x", " 0.1", "1e999"})
+    EXPECT_THAT(refusal({"fly", "a13", "--speed", speed}), HasSubstr("speed")) << speed;
+  for (const char* seed : {"one", "1.5", "-1", "18446744073709551616", "", "1x", "nan"}) {
+    EXPECT_THAT(refusal({"fly", "a13", "--seed", seed}), HasSubstr("seed")) << seed;
+    for (const char* what : {"lines", "junctions"})
+      EXPECT_THAT(refusal({"evaluate", what, "--seed", seed}), HasSubstr("seed")) << seed;
+    EXPECT_THAT(refusal({"train-colour", "--out", path("m.yaml"), "--seed", seed}), HasSubstr("seed"))
+        << seed;
+  }
+  for (const char* count : {"", "-1", "0", "1.5", "nan", "inf", "12x", "100001", "99999999999999999999"}) {
+    EXPECT_THAT(refusal({"evaluate", "lines", "--frames", count}), HasSubstr("--frames")) << count;
+    EXPECT_THAT(refusal({"train-colour", "--out", path("m.yaml"), "--samples", count}),
+                HasSubstr("--samples"))
+        << count;
+  }
+  EXPECT_FALSE(fs::exists(path("m.yaml")));
 }
 
 TEST_F(ProgramTest, RefusesToWriteWhereItCannotBeforeItFlies) {
@@ -216,13 +238,14 @@ TEST_F(ProgramTest, PrintsTheSummaryAsJson) {
   EXPECT_THAT(summary["trajectory_sha256"].get<std::string>(), MatchesRegex("[0-9a-f]+"));
 }
 
-TEST_F(ProgramTest, WritesItsFourFilesAndNoOther) {
+TEST_F(ProgramTest, WritesItsFilesAndNoOther) {
   const Ran ran = run(short_flight({"--out", path("a/b")}));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(path("a/b"))) names.push_back(entry.path().filename());
-  EXPECT_THAT(names,
-              ::testing::UnorderedElementsAre("summary.json", "flight.csv", "events.csv", "config.yaml"));
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("summary.json", "flight.csv", "events.csv",
+                                                     "config.yaml", "layout.yaml"));
+  EXPECT_EQ(read_text(path("a/b/layout.yaml")), read_text(path("short.yaml")));
   EXPECT_THAT(read_text(path("a/b/flight.csv")), StartsWith("t_s,"));
   EXPECT_THAT(read_text(path("a/b/events.csv")), StartsWith("t_s,kind,detail\n"));
   EXPECT_EQ(nlohmann::json::parse(read_text(path("a/b/summary.json")))["outcome"], "arrived");
@@ -240,6 +263,82 @@ TEST_F(ProgramTest, ItsConfigRepeatsTheFlight) {
   EXPECT_EQ(hash("one"), hash("two"));
   EXPECT_EQ(read_text(path("one/config.yaml")), read_text(path("two/config.yaml")));
   EXPECT_EQ(read_text(path("one/flight.csv")), read_text(path("two/flight.csv")));
+}
+
+// The layout and the conditions lie beside the config: neither the originals nor the current folder matter.
+TEST_F(ProgramTest, AResultsFolderRepeatsItsFlightFromAnywhere) {
+  const fs::path calm = temp_.write("calm.yaml", "speed_m_s: 0.4\n");
+  ASSERT_EQ(run(short_flight({"--out", path("one"), "--conditions", calm})).exit_code, 0);
+  const auto before = nlohmann::json::parse(read_text(path("one/summary.json")));
+  fs::remove(path("short.yaml"));
+  fs::remove(calm);
+  fs::create_directories(path("far/away"));
+  fs::rename(path("one"), path("far/away/moved"));
+  const Ran again = run_in(path("far"), {"fly", "--config", "away/moved/config.yaml", "--out", path("two")});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto after = nlohmann::json::parse(read_text(path("two/summary.json")));
+  EXPECT_EQ(after["trajectory_sha256"], before["trajectory_sha256"]);
+  EXPECT_EQ(read_text(path("two/config.yaml")), read_text(path("far/away/moved/config.yaml")));
+  EXPECT_EQ(run_in(path("far/away/moved"), {"fly", "--config", "config.yaml", "--explain"}).exit_code, 0);
+}
+
+TEST_F(ProgramTest, AConfigGoesWithoutConditions) {
+  const std::string config = temp_.write("config.yaml", "instruction: a13\n");
+  EXPECT_THAT(refusal({"fly", "--config", config, "--conditions", "ideal"}),
+              AllOf(HasSubstr("--config"), HasSubstr("--conditions"), HasSubstr("--set")));
+}
+
+TEST_F(ProgramTest, RefusesTextThatIsNotUtf8BeforeItFlies) {
+  const std::string odd = temp_.write("l\xff.yaml", "name: x\n");
+  EXPECT_THAT(refusal({"fly", "a13", "--layout", odd, "--out", path("out")}), HasSubstr("UTF-8"));
+  EXPECT_THAT(refusal({"fly", "node:\xc3", "--out", path("out")}), HasSubstr("TARGET"));
+  const std::string bytes = temp_.write("bytes.yaml", "name: \"\xff\"\n");
+  EXPECT_THAT(refusal({"fly", "a13", "--layout", bytes, "--out", path("out")}), HasSubstr("not UTF-8"));
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
+TEST_F(ProgramTest, DetectTellsOfAFileWhoseNameIsNotUtf8) {
+  const Ran ran = run({"detect", path("p\xff.jpg"), "--json"});
+  EXPECT_EQ(ran.exit_code, 1) << ran.err;
+  EXPECT_THAT(nlohmann::json::parse(ran.out)["image"].get<std::string>(), HasSubstr("p\xef\xbf\xbd.jpg"));
+}
+
+TEST_F(ProgramTest, AFullOutputIsToldInOneLine) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"layouts"},
+                                                    {"--help"},
+                                                    {"fly", "a13", "--explain"},
+                                                    {"--version"},
+                                                    short_flight({"--json"}),
+                                                    {"detect", "--json", "/nowhere.jpg"}}) {
+    const Ran ran = run_to("/dev/full", fs::current_path(), arguments, 0);
+    EXPECT_EQ(ran.exit_code, 2) << arguments.front();
+    const bool tells_progress = arguments.front() == "fly" && arguments.back() == "--json";
+    if (!tells_progress) {
+      EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    }
+    EXPECT_THAT(ran.err, HasSubstr("lineservo: standard output cannot be written: No space left")) << arguments.front();
+  }
+}
+
+TEST_F(ProgramTest, NamesACommandThatItDoesNotKnow) {
+  EXPECT_THAT(refusal({"flyy", "a13"}), AllOf(HasSubstr("'flyy'"), HasSubstr("fly, "), HasSubstr("layouts")));
+  EXPECT_THAT(refusal({"evaluate", "circles"}), AllOf(HasSubstr("'circles'"), HasSubstr("lines, junctions")));
+  EXPECT_THAT(refusal({}), HasSubstr("--help"));
+}
+
+TEST_F(ProgramTest, TrainingDoesNotReplaceWhatIsNoFile) {
+  const std::vector<std::string> train = {"train-colour", "--samples", "10", "--out"};
+  const auto to = [&train](const std::string& out) {
+    std::vector<std::string> arguments = train;
+    arguments.push_back(out);
+    return arguments;
+  };
+  fs::create_directories(path("folder"));
+  EXPECT_THAT(refusal(to("/dev/null")), HasSubstr("/dev/null"));
+  EXPECT_THAT(refusal(to(path("folder"))), HasSubstr("it is a folder"));
+  EXPECT_THAT(refusal(to("")), HasSubstr("--out"));
+  EXPECT_EQ(run(to(path("new.yaml"))).exit_code, 0);
+  EXPECT_GT(fs::file_size(path("new.yaml")), 100u);
 }
 
 TEST_F(ProgramTest, WhatIsTypedGoesBeforeTheConfig) {

@@ -98,10 +98,17 @@ TEST_F(FlightRequestTest, PathsWithSignsOfYamlReadBack) {
         "- hall.yaml", "~", "null", "C:\\floors\\hall.yaml", "node:p", " hall.yaml "}) {
     request.layout = request.instruction = request.conditions = path;
     const FlightRequest again = reread(request);
-    EXPECT_EQ(again.layout, path);
+    EXPECT_EQ(again.layout, folder_.path() / path);
     EXPECT_EQ(again.instruction, path);
-    EXPECT_EQ(again.conditions, path);
+    EXPECT_EQ(again.conditions, folder_.path() / path);
   }
+}
+
+TEST_F(FlightRequestTest, PathsOfAConfigAreThoseFromItsFolder) {
+  EXPECT_EQ(read("layout: layout.yaml\n").layout, folder_.path() / "layout.yaml");
+  EXPECT_EQ(read("layout: /floors/hall.yaml\n").layout, "/floors/hall.yaml");
+  EXPECT_EQ(read("layout: warehouse\nconditions: ideal\n").layout, "warehouse");
+  EXPECT_EQ(read("layout: warehouse\nconditions: ideal\n").conditions, "ideal");
 }
 
 TEST_F(FlightRequestTest, WhatAConfigDoesNotNameKeepsItsDefault) {
@@ -115,7 +122,7 @@ TEST_F(FlightRequestTest, WhatAConfigDoesNotNameKeepsItsDefault) {
 TEST_F(FlightRequestTest, BadSeedsAreRefused) {
   for (const char* seed : {"-1", "1.5", "one", "18446744073709551616", "0x10", "'1 '"}) {
     EXPECT_EQ(refusal(std::string("instruction: a13\nseed: ") + seed + "\n"),
-              at(2) + "'seed' must be a whole number from 0")
+              at(2) + "'seed' must be a whole number from 0 to 18446744073709551615")
         << seed;
   }
   EXPECT_EQ(read("seed: 0\n").seed, 0u);

@@ -97,7 +97,7 @@ TEST_P(EveryInstruction, StepLengthsAddUpToTheRoute) {
     const servo::Plan plan = plan_to(topology, label);
     double of_steps_m = 0.0, of_route_m = 0.0;
     for (const servo::PlanStep& step : plan.steps) of_steps_m += step.edge_length_m;
-    for (const servo::TopologyArm& arm : plan.route) of_route_m += topology.edge_lengths_m[arm.edge];
+    for (const servo::TopologyArm& arm : plan.route) of_route_m += topology.edges[arm.edge].length_m;
     EXPECT_NEAR(of_steps_m, of_route_m, 1e-9) << label;
   }
 }

@@ -106,6 +106,29 @@ TEST_F(LayoutFileTest, LabelsAreInstructionsInTheirShortSpelling) {
   EXPECT_EQ(layout.labels, (std::map<std::string, std::size_t>{{"a12", 1}, {"a:12:3", 0}}));
 }
 
+TEST_F(LayoutFileTest, LinesThatRunOverEachOtherAreToldInOneLine) {
+  Text text;
+  text.nodes =
+      "nodes: [{name: p, x_m: 0, y_m: 0}, {name: q, x_m: 4, y_m: 0}, {name: r, x_m: 2, y_m: -2}, "
+      "{name: s, x_m: 2, y_m: 2}]";
+  text.edges = "edges: [{from: p, to: q}, {from: r, to: s}, {from: q, to: p}]";
+  const std::string message = refusal(text);
+  EXPECT_THAT(message, AllOf(StartsWith((folder_.path() / "l.yaml").string() + ": "),
+                             HasSubstr("edge 2 (q to p) doubles edge 0 (p to q)"),
+                             HasSubstr("edge 0 (p to q) and edge 1 (r to s) run over each other at (")));
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+TEST_F(LayoutFileTest, SkewedBranchesAreSound) {
+  for (const char* tip : {"x_m: 5, y_m: 2", "x_m: 4, y_m: 1.7", "x_m: 1, y_m: 2"}) {
+    Text text;
+    text.nodes =
+        std::string("nodes: [{name: p, x_m: 0, y_m: 0}, {name: q, x_m: 3, y_m: 0}, {name: r, ") + tip + "}]";
+    text.edges = "edges: [{from: p, to: q}, {from: q, to: r}]";
+    EXPECT_EQ(refusal(text), "no error") << tip;
+  }
+}
+
 /// A fault, the line of the file that it stands on, and words of the complaint.
 struct Fault {
   std::string what;

@@ -46,8 +46,8 @@ TEST(TopologyOf, ALoopGivesItsNodeTwoArmsAndAStubOneAtEitherEnd) {
   const servo::Topology topology = topology_of(ring_with_stub());
   EXPECT_EQ(topology.nodes[0].arms.size(), 3u);
   EXPECT_EQ(topology.nodes[1].arms.size(), 1u);
-  EXPECT_NEAR(topology.edge_lengths_m[0], 4.0 * kPi, 1e-12);
-  EXPECT_DOUBLE_EQ(topology.edge_lengths_m[1], 3.0);
+  EXPECT_NEAR(topology.edges[0].length_m, 4.0 * kPi, 1e-12);
+  EXPECT_DOUBLE_EQ(topology.edges[1].length_m, 3.0);
 }
 
 TEST(TopologyOf, ALoopLeavesAndArrivesInTheSameHeading) {
@@ -67,9 +67,28 @@ TEST(TopologyOf, AnArcArrivesInAnotherHeadingThanItLeft) {
   EXPECT_NEAR(out.arrival_heading_rad, kPi / 2, 1e-12);
   EXPECT_NEAR(home.heading_rad, -kPi / 2, 1e-12);
   EXPECT_NEAR(std::abs(home.arrival_heading_rad), kPi, 1e-12);
-  EXPECT_NEAR(topology.edge_lengths_m[0], kPi / 2, 1e-12);
+  EXPECT_NEAR(topology.edges[0].length_m, kPi / 2, 1e-12);
   EXPECT_EQ(home.to, 0u);
   EXPECT_EQ(out.to, 1u);
+}
+
+TEST(TopologyOf, ALineTurnsAtOnceByItsSharpestCorner) {
+  vehicle::Layout layout = quarter();
+  EXPECT_EQ(topology_of(layout).edges[0].sharpest_corner_rad, 0.0);
+  layout.edges[0].centreline = Curve::polyline({{0, 0}, {1, 0}, {1, 0.5}, {1.5, 1}, {1, 1}});
+  EXPECT_NEAR(topology_of(layout).edges[0].sharpest_corner_rad, 0.75 * kPi, 1e-12);
+}
+
+TEST(TopologyOf, ARedDiscOnANodeIsKnown) {
+  vehicle::Layout layout = quarter();
+  layout.start_markers = {{{0, 0}, 0.18, {40, 40, 220}}};
+  layout.end_markers = {{{1, 1}, 0.1, {220, 40, 40}}};  // blue: no camera takes it for the marker
+  EXPECT_TRUE(topology_of(layout).nodes[0].has_disc);
+  EXPECT_FALSE(topology_of(layout).nodes[1].has_disc);
+  layout.end_markers[0].colour = {40, 40, 220};
+  EXPECT_TRUE(topology_of(layout).nodes[1].has_disc);
+  layout.end_markers[0].radius_m = 0.01;  // too small to read J0
+  EXPECT_FALSE(topology_of(layout).nodes[1].has_disc);
 }
 
 TEST(TopologyOf, HeadingsAreWrapped) {

@@ -128,9 +128,33 @@ TEST_F(YamlReaderTest, AListOfNumbersHasItsLength) {
   }
 }
 
-TEST_F(YamlReaderTest, AMapThatHoldsItselfIsRefused) {
-  EXPECT_THAT(complaint_about("a: &x\n  b: *x\n"),
-              AllOf(StartsWith(folder_.path().string()), HasSubstr("holds itself")));
+TEST_F(YamlReaderTest, AnchorsAndAliasesAreRefused) {
+  for (const char* text : {"a: 1\nb: &x\n  c: *x\n", "a: 1\nb: &x 2\n", "a: 1\nb: &x [1]\n", "a: 1\nb: &x\n"})
+    EXPECT_EQ(complaint_about(text), at(2) + "anchors (&x) and aliases (*x) are not allowed") << text;
+}
+
+// Each line doubles what the one before stands for nine times over: 9²⁰ words.
+TEST_F(YamlReaderTest, ABombOfAliasesIsRefusedAtOnce) {
+  std::string bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n";
+  for (int k = 1; k < 20; ++k) {
+    const std::string alias = "*a" + std::to_string(k - 1), name = "a" + std::to_string(k);
+    bomb += name + ": &" + name + " [" + alias;
+    for (int i = 1; i < 9; ++i) bomb += ", " + alias;
+    bomb += "]\n";
+  }
+  EXPECT_THAT(complaint_about(bomb), StartsWith(at(1)));
+}
+
+TEST_F(YamlReaderTest, RefusesAFileThatIsTooLongOrNotUtf8) {
+  EXPECT_THAT(complaint_about("a: " + std::string(1 << 20, 'x') + "\n"), HasSubstr("longer than 1 MiB"));
+  EXPECT_THAT(complaint_about("a: \"\xff\"\n"), HasSubstr("not UTF-8"));
+  EXPECT_EQ(complaint_about("a: größer\n"), "no error");
+}
+
+TEST_F(YamlReaderTest, RefusesWhatIsNestedTooDeeply) {
+  EXPECT_THAT(complaint_about("a: " + std::string(100, '[') + std::string(100, ']')),
+              HasSubstr("nested too deeply"));
+  EXPECT_THAT(complaint_about("a: " + std::string(100000, '[')), StartsWith(folder_.path().string()));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/output/flight_tables.h"
@@ -32,6 +33,23 @@ vehicle::Layout small_floor() {
 
 Flown fly_small(std::uint64_t seed = 1) {
   return fly(request_for("node:r", "ideal", seed), small_floor(), small_floor());
+}
+
+// 3 m straight on to a red disc on the line's end.
+TEST(Flight, ADiscOnTheLinesEndIsReached) {
+  for (const double width_m : {0.1, 0.36}) {
+    vehicle::Layout floor;
+    floor.nodes = {{"p", {0, 0}}, {"q", {3, 0}}};
+    floor.edges = {testing::straight_edge(floor, 0, 1, width_m)};
+    floor.start_markers = {{{0, 0}, 0.18}};
+    floor.end_markers = {{{3, 0}, 0.5 * std::max(width_m, 0.2)}};
+    for (const char* conditions : {"ideal", "paper"}) {
+      const Flown flown = fly(request_for("node:q", conditions, 2), floor, floor);
+      EXPECT_EQ(flown.summary.outcome, "arrived") << width_m << " " << conditions << ": " << story(flown);
+      ASSERT_TRUE(flown.summary.rest.has_value());
+      EXPECT_LT(flown.summary.rest->target_error_m, 0.03);
+    }
+  }
 }
 
 TEST(Flight, TheSameSeedIsTheSameFlightToTheLastBit) {

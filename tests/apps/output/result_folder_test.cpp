@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <thread>
 
 #include "tests/apps/test_files.h"
 
@@ -128,6 +132,74 @@ TEST(ResultFolder, AFolderInThePlaceOfAFilePublishesNothing) {
   });
   EXPECT_THAT(message, AllOf(HasSubstr("two.txt"), HasSubstr("cannot be written")));
   EXPECT_EQ(temp.count(), 1u);
+}
+
+TEST(ResultFolder, ADeviceOrAPipeIsNotReplaced) {
+  const TempFolder temp;
+  ASSERT_EQ(::mkfifo((temp.path() / "pipe").c_str(), 0600), 0);
+  ResultFolder folder(temp.path());
+  EXPECT_THAT(complaint([&] { folder.write("pipe", "x"); }),
+              AllOf(HasSubstr("pipe"), HasSubstr("not a file")));
+  EXPECT_TRUE(fs::is_fifo(temp.path() / "pipe"));
+  EXPECT_THAT(complaint([] { ResultFolder("/dev").check("null"); }), HasSubstr("/dev/null"));
+}
+
+TEST(ResultFolder, WhatASetLeavesOutGoesWithTheEarlierOne) {
+  const TempFolder temp;
+  temp.write("old.txt", "before\n");
+  temp.write("notes.txt", "mine\n");
+  ResultFolder folder(temp.path());
+  folder.leave_out("old.txt");
+  folder.leave_out("never.txt");
+  folder.write("one.txt", "1\n");
+  EXPECT_TRUE(fs::exists(temp.path() / "old.txt"));
+  folder.publish();
+  EXPECT_FALSE(fs::exists(temp.path() / "old.txt"));
+  EXPECT_EQ(temp.count(), 2u);
+}
+
+/// Whether the set in a folder is whole by its seal, the file written last; and if so, whether it is of one
+/// run.
+bool is_mixed(const fs::path& folder) {
+  if (!fs::exists(folder / "c")) return false;
+  const std::string run = read_text(folder / "c");
+  return read_text(folder / "a") != run || read_text(folder / "b") != run;
+}
+
+void publish_run(const fs::path& path, const std::string& run) {
+  ResultFolder folder(path);
+  for (const char* name : {"a", "b", "c"}) folder.write(name, run);
+  folder.publish();
+}
+
+// A child that publishes one run after another is killed at any time.
+TEST(ResultFolder, AKillAtAnyTimeLeavesNoMixedSetThatLooksWhole) {
+  const TempFolder temp;
+  int seals = 0;
+  for (int kill_us = 0; kill_us < 20000; kill_us += 250) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (int run = 0;; ++run) publish_run(temp.path(), std::to_string(run));
+    }
+    ::usleep(static_cast<useconds_t>(kill_us));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    seals += int{fs::exists(temp.path() / "c")};
+    ASSERT_FALSE(is_mixed(temp.path())) << kill_us;
+  }
+  EXPECT_GT(seals, 0);
+}
+
+TEST(ResultFolder, OfTwoRunsAtTheSameTimeOneIsLeftWhole) {
+  const TempFolder temp;
+  for (int round = 0; round < 30; ++round) {
+    std::thread first(publish_run, temp.path(), "first"), second(publish_run, temp.path(), "second");
+    first.join();
+    second.join();
+    ASSERT_TRUE(fs::exists(temp.path() / "c"));
+    ASSERT_FALSE(is_mixed(temp.path()));
+    ASSERT_EQ(temp.count(), 3u);
+  }
 }
 
 TEST(ResultFolder, TwoWritersDoNotMixHalfFiles) {

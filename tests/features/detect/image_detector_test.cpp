@@ -178,7 +178,7 @@ TEST(ImageDetector, TakesTheLensOutOfTheBorders) {
                           .fy_px = 160.0,
                           .cx_px = 159.5,
                           .cy_px = 119.5,
-                          .distortion = {-0.15, 0.0, 0.0, 0.0, 0.0}};
+                          .distortion = {-0.15, 0.03, 0.0, 0.0, 0.0}};
   const MaskGeometry geometry(CameraModel(camera), 320, 240);
   const Pose pose{.y_m = 0.0};
   const cv::Mat picture = photograph(geometry, pose, along(0.0), scene_of(LineColor::red));

@@ -39,6 +39,20 @@ TEST(CameraModel, RefusesALensThatFoldsTheCorners) {
   EXPECT_NO_THROW(CameraModel{folding});
 }
 
+// r (1 + k1 r²) turns back at r' = 2/3 / √(−3 k1), which is the corner's 1.25 at k1 = −0.0948. Beyond it the
+// inverse may still find a ray of the corner's pixel, on the other side of the fold.
+TEST(CameraModel, RefusesALensFromWhereItFoldsOn) {
+  for (double k1 = -0.08; k1 > -0.5; k1 -= 0.001) {
+    CameraParameters p;
+    p.distortion[0] = k1;
+    if (k1 > -0.0945) {
+      EXPECT_NO_THROW(CameraModel{p}) << k1;
+    } else if (k1 < -0.095) {
+      EXPECT_THROW(CameraModel{p}, std::invalid_argument) << k1;
+    }
+  }
+}
+
 TEST(CameraModel, RefusesEveryBadValueAtOnce) {
   CameraParameters p;
   p.width_px = 0;

@@ -80,6 +80,50 @@ TEST(Mission, A13PassesThePhasesInOrder) {
                                      "J3: hover at a13"));
 }
 
+/// 3 m straight on to a disc, and a corner under another one.
+TestFloor floor_with_discs() {
+  TestFloor floor("discs");
+  floor.add("start", {0.0, 0.0});
+  floor.add("corner", {3.0, 0.0});
+  floor.add("end", {3.0, 3.0});
+  floor.join("start", "corner");
+  floor.join("corner", "end");
+  floor.lay_disc("end");
+  return floor;
+}
+
+TEST(Mission, ADiscAtADeadEndIsDockedOn) {
+  const TestFloor floor = floor_with_discs();
+  const Logbook log = fly(mission_to(floor, "node:end"));
+  expect_arrival(log, floor.at("end"), 0.005);
+  EXPECT_THAT(log.nodes, ElementsAre("J5 (line ends): turn at corner", "J0: hover at end"));
+}
+
+TEST(Mission, ADiscOnACornerIsTurnedOn) {
+  TestFloor floor = floor_with_discs();
+  floor.lay_disc("corner");
+  const Logbook log = fly(mission_to(floor, "node:end"));
+  expect_arrival(log, floor.at("end"), 0.005);
+  EXPECT_THAT(log.nodes, ElementsAre("J0: turn at corner", "J0: hover at end"));
+}
+
+TEST(Mission, ALawThatDoesNotDockStopsWhereTheDiscIsNear) {
+  TestFloor floor = floor_with_discs();
+  floor.lay_disc("corner");
+  Mission mission = mission_to(floor, "node:corner", 0.1);
+  mission.controller = "pid";
+  expect_arrival(fly(mission), floor.at("corner"), 0.22);
+}
+
+TEST(Mission, ADiscThatThePlanDoesNotKnowIsNoNode) {
+  TestFloor flown = floor_with_discs();
+  Mission mission = mission_to(flown, "node:end");
+  flown.add("seam", {1.5, 0.0});
+  flown.lay_disc("seam");
+  mission.floor = flown;
+  expect_arrival(fly(mission), flown.at("end"), 0.005);
+}
+
 TEST(Mission, EveryKindOfTargetIsReached) {
   const TestFloor grid = testing::warehouse_floor(), square = testing::square_floor();
   struct Case {

@@ -170,6 +170,68 @@ TEST(Plan, ArmsAt45DegreesAreRefused) {
               AllOf(HasSubstr("corner0"), HasSubstr("45°"), HasSubstr("codes")));
 }
 
+/// Straight ahead for 2 m to a node, then on at these angles to the way, to n0, n1, …
+TestFloor fork(const std::vector<double>& angles_deg) {
+  TestFloor floor("fork");
+  floor.add("start", {0.0, 0.0});
+  floor.add("fork", {2.0, 0.0});
+  floor.join("start", "fork");
+  for (const double angle_deg : angles_deg) {
+    const std::string name = "n" + std::to_string(&angle_deg - angles_deg.data());
+    floor.add(name, {2.0 + 2.0 * std::cos(radians(angle_deg)), 2.0 * std::sin(radians(angle_deg))});
+    floor.join("fork", name);
+  }
+  return floor;
+}
+
+TEST(Plan, TwoArmsOnOneSideAreRefused) {
+  for (const auto& angles_deg : {std::vector{0.0, 20.0}, {-12.0, 12.0}, {80.0, 100.0}, {0.0, 170.0}})
+    EXPECT_THAT(refusal(fork(angles_deg), "node:n0"),
+                AllOf(HasSubstr("node fork"), HasSubstr("cannot tell them apart"), HasSubstr("allowed")));
+}
+
+TEST(Plan, TwoLinesThatLeaveTheStartSideBySideAreRefused) {
+  TestFloor floor("start");
+  floor.add("start", {0.0, 0.0});
+  floor.add("a", {3.0, 0.0});
+  floor.add("b", {3.0, 1.0});
+  floor.join("start", "a");
+  floor.join("start", "b");
+  EXPECT_THAT(refusal(floor, "node:a"), AllOf(HasSubstr("node start"), HasSubstr("18° apart")));
+  floor.move("b", {3.0, 3.0});
+  EXPECT_EQ(refusal(floor, "node:a"), "");
+}
+
+TEST(Plan, AWayThatBendsIsStraightOnOrATurn) {
+  for (const double angle_deg : {0.0, 10.0, -14.9}) EXPECT_EQ(refusal(fork({angle_deg}), "node:n0"), "");
+  for (const double angle_deg : {15.1, 20.0, -24.9, 30.0, 60.0})
+    EXPECT_THAT(refusal(fork({angle_deg}), "node:n0"), HasSubstr("node fork")) << angle_deg;
+  EXPECT_THAT(refusal(fork({20.0}), "node:n0"), AllOf(HasSubstr("20°"), HasSubstr("15°"), HasSubstr("65°")));
+  for (const double angle_deg : {66.0, -90.0, 114.0}) EXPECT_EQ(refusal(fork({angle_deg}), "node:n0"), "");
+}
+
+TEST(Plan, ALineThatTurnsSharplyBetweenNodesIsRefused) {
+  Topology topology = fork({0.0}).topology();
+  topology.edges[1].sharpest_corner_rad = radians(14.0);
+  EXPECT_NO_THROW(compile(topology, 2, "node:n0"));
+  topology.edges[1].sharpest_corner_rad = radians(30.0);
+  try {
+    compile(topology, 2, "node:n0");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("from fork to n0"), HasSubstr("30°"), HasSubstr("put a node")));
+  }
+  EXPECT_NO_THROW(compile(topology, 1, "node:fork")) << "not on this way";
+}
+
+TEST(Plan, ANodeUnderADiscIsToldByIt) {
+  TestFloor floor = fork({0.0});
+  floor.lay_disc("n0");
+  EXPECT_EQ(told(plan_to(floor, "node:n0")), "J0 J0 hover");
+  floor.lay_disc("fork");
+  EXPECT_EQ(told(plan_to(floor, "node:n0")), "J0 J0 go straight | J0 J0 hover");
+}
+
 TEST(Plan, TheStartItselfIsRefused) {
   EXPECT_THAT(refusal(testing::warehouse_floor(), "a00"), AllOf(HasSubstr("a00"), HasSubstr("take-off")));
 }

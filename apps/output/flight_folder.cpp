@@ -1,0 +1,41 @@
+#include "apps/output/flight_folder.h"
+
+#include "apps/config/data_folder.h"
+#include "apps/config/text_file.h"
+#include "apps/output/flight_tables.h"
+
+namespace lineservo::apps {
+namespace {
+
+std::optional<std::string> own_text(DataKind kind, const std::string& name_or_path) {
+  if (is_shipped(kind, name_or_path)) return std::nullopt;
+  return read_text_file(find_data(kind, name_or_path));
+}
+
+/// Writes a file of the user's own and refers to it; without one, an earlier flight's goes.
+void keep(ResultFolder& folder, const std::string& name, const std::optional<std::string>& text,
+          std::string& reference) {
+  if (!text) return folder.leave_out(name);
+  folder.write(name, *text);
+  reference = name;
+}
+
+}  // namespace
+
+OwnFiles own_files(const FlightRequest& request) {
+  return {own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions)};
+}
+
+void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnFiles& own,
+                  const FlightRecord& record, const FlightSummary& summary) {
+  FlightRequest kept = request;
+  keep(folder, "layout.yaml", own.layout, kept.layout);
+  keep(folder, "conditions.yaml", own.conditions, kept.conditions);
+  folder.write("flight.csv", flight_csv(record));
+  folder.write("events.csv", events_csv(record));
+  folder.write("config.yaml", config_text(kept));
+  folder.write("summary.json", to_json(request, summary).dump(2) + "\n");
+  folder.publish();
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/config/flight_request.h"
+#include "apps/flight/flight_record.h"
+#include "apps/output/flight_summary.h"
+#include "apps/output/result_folder.h"
+
+namespace lineservo::apps {
+
+/// The texts of a user's own layout and conditions, kept beside the results so that config.yaml repeats the
+/// flight wherever the folder is. None for what ships.
+struct OwnFiles {
+  std::optional<std::string> layout, conditions;
+};
+
+/// Throws InputError when a file cannot be read. Call it before the flight: afterwards they may have changed.
+OwnFiles own_files(const FlightRequest& request);
+
+/// Writes summary.json, flight.csv, events.csv, config.yaml and the own files, and publishes them.
+void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnFiles& own,
+                  const FlightRecord& record, const FlightSummary& summary);
+
+}  // namespace lineservo::apps
