@@ -17,6 +17,7 @@
 #include "apps/flight/flight.h"
 #include "apps/output/flight_summary.h"
 #include "apps/output/flight_tables.h"
+#include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 
 namespace lineservo::apps {
@@ -50,7 +51,7 @@ FlightRequest request_of(const FlyArguments& a) {
 
 void write_results(ResultFolder& folder, const FlightRequest& request, const FlightRecord& record,
                    const FlightSummary& summary) {
-  folder.write("summary.json", to_json(request, summary).dump(2) + "\n");
+  folder.write("summary.json", json_text(to_json(request, summary), 2));
   folder.write("flight.csv", flight_csv(record));
   folder.write("events.csv", events_csv(record));
   folder.write("config.yaml", config_text(request));
@@ -82,7 +83,7 @@ int fly(const FlyArguments& arguments) {
   const FlightSummary summary = summarise(request, floor, plan, record);
   if (folder) write_results(*folder, request, record, summary);
   if (arguments.json) {
-    fmt::print("{}\n", to_json(request, summary).dump(2));
+    fmt::print("{}", json_text(to_json(request, summary), 2));
   } else {
     print_summary(request, record, summary);
     if (arguments.out) fmt::print("written to {}\n", *arguments.out);
