@@ -66,7 +66,7 @@ fs::path find_data(DataKind kind, const std::string& name_or_path) {
 
 std::string shipped_text(const fs::path& file) {
   std::ifstream stream(data_root() / file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) throw InputError(fmt::format("{}: cannot be read in the data folder", file.string()));
   return text;
 }

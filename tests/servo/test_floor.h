@@ -22,7 +22,7 @@ class TestFloor {
   explicit TestFloor(std::string name) : name_(std::move(name)) {}
 
   std::size_t add(std::string node, const Eigen::Vector2d& p_W);
-  std::size_t add_labelled(std::string label, const Eigen::Vector2d& p_W);
+  std::size_t add_labelled(const std::string& label, const Eigen::Vector2d& p_W);
   void join(std::size_t a, std::size_t b);
   void join(std::string_view a, std::string_view b) { join(index(a), index(b)); }
   /// Wears the paint between two nodes off.
