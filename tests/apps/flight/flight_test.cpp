@@ -90,7 +90,7 @@ TEST(Flight, A13IsTheFlightThatItAlwaysWas) {
   EXPECT_EQ(sha256_hex(text), "1aed1c3bd93b77a522806ab605b16af0ab7d55f2b3647c27fa6f50832defc581");
 }
 
-class Mission : public ::testing::TestWithParam<std::tuple<const char*, std::uint64_t>> {};
+class Mission : public ::testing::TestWithParam<std::tuple<std::string, std::uint64_t>> {};
 
 TEST_P(Mission, ArrivesOnTheNodeAndStaysOnTheLine) {
   const Flown flown = fly(request_for(std::get<0>(GetParam()), "paper", std::get<1>(GetParam())));
