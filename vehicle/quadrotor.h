@@ -38,7 +38,7 @@ class Quadrotor {
   void step();
 
   /// What to do, thought up at `stamp`, good until `stamp + holds_for`. A command that is not finite, older
-  /// than the one in force or run out is refused.
+  /// than the one in force, from the future or (but for landing) run out is refused.
   void command(const Setpoint& setpoint, Time stamp, Time holds_for = kDefaultHold);
   /// The paint was seen in a picture taken at t.
   void paint_sighted(Time t);

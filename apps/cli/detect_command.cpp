@@ -11,6 +11,7 @@
 #include "apps/config/input_error.h"
 #include "apps/detect/detection_report.h"
 #include "apps/image/image_file.h"
+#include "apps/output/json_text.h"
 
 namespace lineservo::apps {
 namespace {
@@ -63,7 +64,7 @@ int detect(const DetectArguments& arguments) {
   for (const std::string& file : arguments.images) {
     const DetectionReport report = look_at(file, arguments, detector);
     if (report.error) exit_code = kFailed;
-    fmt::print("{}", arguments.json ? json_line(report) : to_text(report));
+    fmt::print("{}", arguments.json ? json_text(to_json(report)) : to_text(report));
   }
   return exit_code;
 }

@@ -10,6 +10,7 @@
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
 #include "apps/evaluate/junction_report.h"
+#include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 
 namespace lineservo::apps {
@@ -31,7 +32,7 @@ int evaluate(const Arguments& arguments) {
   std::vector<JunctionCase> cases = junction_cases(arguments.seed);
   run(cases, show_progress);
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
-  const std::string json = junction_json(cases).dump(2) + "\n";
+  const std::string json = json_text(junction_json(cases), 2);
   if (folder) {
     folder->write("evaluation.csv", junction_csv(cases));
     folder->write("evaluation.json", json);

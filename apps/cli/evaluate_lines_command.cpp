@@ -12,6 +12,7 @@
 #include "apps/cli/program.h"
 #include "apps/evaluate/line_evaluation.h"
 #include "apps/evaluate/line_report.h"
+#include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 
 namespace lineservo::apps {
@@ -38,7 +39,7 @@ int evaluate(const Arguments& arguments) {
   const std::vector<LineEvaluationRow> rows = evaluate_lines(arguments.options, show_progress);
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
   if (interrupted) return kFailed;
-  const std::string json = lines_json(arguments.options, rows).dump(2) + "\n";
+  const std::string json = json_text(lines_json(arguments.options, rows), 2);
   if (folder) {
     folder->write("evaluation.csv", lines_csv(rows));
     folder->write("evaluation.json", json);

@@ -19,6 +19,7 @@
 #include "apps/flight/flight.h"
 #include "apps/output/flight_folder.h"
 #include "apps/output/flight_summary.h"
+#include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 
 namespace lineservo::apps {
@@ -88,7 +89,7 @@ int fly(const FlyArguments& arguments) {
   const FlightSummary summary = summarise(request, floor, plan, record);
   if (folder) write_flight(*folder, request, own, record, summary);
   if (arguments.json) {
-    fmt::print("{}\n", to_json(request, summary).dump(2));
+    fmt::print("{}", json_text(to_json(request, summary), 2));
   } else {
     print_summary(request, record, summary);
     if (arguments.out) fmt::print("written to {}\n", *arguments.out);

@@ -72,7 +72,7 @@ bool is_shipped(DataKind kind, const std::string& name) {
 
 std::string shipped_text(const fs::path& file) {
   std::ifstream stream(data_root() / file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) throw InputError(fmt::format("{}: cannot be read in the data folder", file.string()));
   return text;
 }

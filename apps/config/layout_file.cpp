@@ -1,6 +1,7 @@
 #include "apps/config/layout_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "apps/config/input_error.h"
 #include "apps/config/yaml_reader.h"
@@ -93,13 +94,18 @@ class LayoutBuilder {
     layout_.floor_colour = colour(floor, "colour", layout_.floor_colour);
   }
 
+  Eigen::Vector2d near_place(const Eigen::Vector2d& p_W, const YAML::Node& at) const {
+    if (p_W.cwiseAbs().maxCoeff() > vehicle::kFarthest_m) yaml_.fail(at, "x and y must be -10000 to 10000 m");
+    return p_W;
+  }
+
   void read_node(const YAML::Node& node) {
     yaml_.allow(node, {"name", "x_m", "y_m"}, "a node");
     const std::string name = yaml_.text(node, "name");
     for (const vehicle::LayoutNode& other : layout_.nodes) {
       if (other.name == name) yaml_.fail(node, "node '" + name + "' stands twice");
     }
-    layout_.nodes.push_back({name, {yaml_.number(node, "x_m"), yaml_.number(node, "y_m")}});
+    layout_.nodes.push_back({name, near_place({yaml_.number(node, "x_m"), yaml_.number(node, "y_m")}, node)});
   }
 
   void read_edge(const YAML::Node& map) {
@@ -123,6 +129,8 @@ class LayoutBuilder {
     if (const YAML::Node arc = map["arc"]) {
       yaml_.allow(arc, {"centre", "direction"}, "an arc");
       const std::vector<double> c = yaml_.numbers(arc, "centre", 2);
+      if (std::hypot(c[0] - from.x(), c[1] - from.y()) > vehicle::kLargestRadius_m)
+        yaml_.fail(arc, "an arc's radius must be at most 1000 m");
       const std::string direction = yaml_.text(arc, "direction");
       if (direction != "left" && direction != "right")
         yaml_.fail(arc, "'direction' of an arc is left or right");
@@ -133,7 +141,7 @@ class LayoutBuilder {
       if (!through.IsSequence()) yaml_.fail(through, "'through' must be a list of [x, y]");
       for (const auto& point : through) {
         const std::vector<double> p = yaml_.number_list(point, "a point of 'through'", 2);
-        points.emplace_back(p[0], p[1]);
+        points.push_back(near_place({p[0], p[1]}, point));
       }
     }
     points.push_back(to);

@@ -105,7 +105,7 @@ void SettingsTable::bind_vehicle(vehicle::AirframeParameters& a, vehicle::Autopi
   number("vehicle.rotor_radius_m", a.rotor_radius_m, 0.01, 1.0);
   number("vehicle.body_drag_area_m2", a.body_drag_area_m2, 0.0, 1.0);
   number("vehicle.believed_mass_ratio", o.believed_mass_ratio, 0.5, 2.0);
-  number("limits.tilt_rad", o.limits.max_tilt_rad, 0.05, 1.0);
+  number("limits.tilt_rad", o.limits.max_tilt_rad, 0.05, 0.8);
   number("limits.horizontal_speed_m_s", o.limits.max_horizontal_speed_m_s, 0.1, 10.0);
   number("limits.vertical_speed_m_s", o.limits.max_vertical_speed_m_s, 0.1, 5.0);
   number("limits.yaw_rate_rad_s", o.limits.max_yaw_rate_rad_s, 0.1, 10.0);

@@ -54,10 +54,6 @@ ordered_json to_json(const DetectionReport& report) {
   return json;
 }
 
-std::string json_line(const DetectionReport& report) {
-  return to_json(report).dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
 std::string to_text(const DetectionReport& report) {
   if (report.error) return fmt::format("{}: error: {}\n", report.image, *report.error);
   const features::ImageDetection& seen = report.detection;

@@ -21,8 +21,6 @@ struct DetectionReport {
 /// One object with the fields of the command line's contract, in their order; what was not seen is null.
 nlohmann::ordered_json to_json(const DetectionReport& report);
 
-/// The same on one line; bytes of a file's name that are not UTF-8 become U+FFFD.
-std::string json_line(const DetectionReport& report);
 
 /// The same for people: a line for the image and one for each line in view.
 std::string to_text(const DetectionReport& report);

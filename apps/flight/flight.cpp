@@ -5,6 +5,7 @@
 
 #include "apps/flight/convert.h"
 #include "features/geometry/angles.h"
+#include "vehicle/attitude.h"
 #include "vehicle/random.h"
 
 namespace lineservo::apps {
@@ -57,19 +58,12 @@ Time draw_known_latency(const FlightRequest& request) {
       std::max(0.0, camera.latency_s + random.uniform(-camera.latency_error_s, camera.latency_error_s)));
 }
 
-/// Roll, pitch and heading of q_WB = R_z(ψ) R_y(θ) R_x(φ).
-Eigen::Vector3d euler(const Eigen::Quaterniond& q) {
-  const Eigen::Matrix3d R = q.toRotationMatrix();
-  return {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0)),
-          std::atan2(R(1, 0), R(0, 0))};
-}
-
 TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& executive) {
   const vehicle::BodyState& truth = quadrotor.truth();
-  const Eigen::Vector3d angles = euler(truth.q_WB);
-  return {quadrotor.now(), truth.p_WB,        angles.x(),
-          angles.y(),      angles.z(),        truth.v_W,
-          truth.w_B,       executive.phase(), static_cast<int>(executive.step())};
+  const vehicle::RollPitchYaw angles = vehicle::roll_pitch_yaw(truth.q_WB);
+  return {quadrotor.now(),  truth.p_WB,        angles.roll_rad,
+          angles.pitch_rad, angles.yaw_rad,    truth.v_W,
+          truth.w_B,        executive.phase(), static_cast<int>(executive.step())};
 }
 
 std::unique_ptr<vehicle::Wind> make_wind(const WindSettings& wind) {
@@ -120,7 +114,8 @@ FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progr
 
 void Flight::advance() {
   const Stopwatch watch(record_.timing.physics);
-  const Time until = std::min(quadrotor_.now() + kEstimatePeriod, camera_.next_exposure());
+  const Time until =
+      std::min({quadrotor_.now() + kEstimatePeriod, camera_.next_exposure(), camera_.next_delivery()});
   do {
     quadrotor_.step();
     sample_truth();

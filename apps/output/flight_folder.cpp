@@ -3,6 +3,7 @@
 #include "apps/config/data_folder.h"
 #include "apps/config/text_file.h"
 #include "apps/output/flight_tables.h"
+#include "apps/output/json_text.h"
 
 namespace lineservo::apps {
 namespace {
@@ -34,7 +35,7 @@ void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnF
   folder.write("flight.csv", flight_csv(record));
   folder.write("events.csv", events_csv(record));
   folder.write("config.yaml", config_text(kept));
-  folder.write("summary.json", to_json(request, summary).dump(2) + "\n");
+  folder.write("summary.json", json_text(to_json(request, summary), 2));
   folder.publish();
 }
 

@@ -72,8 +72,8 @@ double sharpness(const WedgeLine& line, const PaintContrast& paint, const MaskGe
   const auto left = border_step(line, -1.0, paint.contrast, geometry);
   const auto right = border_step(line, 1.0, paint.contrast, geometry);
   if (!left && !right) return 0.0;
-  const double step = std::min(left.value_or(*right), right.value_or(*left)) / paint.full;
-  return std::clamp((step - kNoStep) / (kFullStep - kNoStep), 0.0, 1.0);
+  const double softer = left && right ? std::min(*left, *right) : left ? *left : *right;
+  return std::clamp((softer / paint.full - kNoStep) / (kFullStep - kNoStep), 0.0, 1.0);
 }
 
 double line_evidence(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {

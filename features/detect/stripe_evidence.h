@@ -14,7 +14,7 @@ struct PaintContrast {
 };
 
 /// How sharp the borders of a line are: the step of the contrast across the softer one, 1 when it is that of
-/// paint. Shadows and glare have soft borders.
+/// paint. A border out of view does not count; 0 when both are. Shadows and glare have soft borders.
 double sharpness(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry);
 
 /// How much a line looks painted: straight and sharp borders, long, and long for its width. 0…1.

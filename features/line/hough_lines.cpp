@@ -53,6 +53,7 @@ std::vector<VotedLine> hough_lines(const cv::Mat& binary, int least_votes) {
   cv::HoughLines(binary, found, 1.0, CV_PI / 180.0, least_votes);
   if (found.size() > kMostLines) found.resize(kMostLines);
   std::vector<VotedLine> lines;
+  lines.reserve(found.size());
   for (const cv::Vec3f& line : found)
     lines.push_back({canonical_line(line[0], static_cast<double>(line[1])), line[2]});
   return lines;

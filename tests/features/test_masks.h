@@ -224,6 +224,7 @@ inline std::vector<Eigen::Vector2d> true_arm_sizes_px(const MaskGeometry& geomet
     }
   });
   std::vector<Eigen::Vector2d> sizes;
+  sizes.reserve(arms.size());
   for (const Seen& arm : arms)
     sizes.push_back((arm.high - arm.low + Eigen::Vector2d(1.0, 1.0)).cwiseMax(0.0));
   return sizes;

@@ -87,7 +87,7 @@ std::size_t TestFloor::add(std::string node, const Eigen::Vector2d& p_W) {
   return nodes_.size() - 1;
 }
 
-std::size_t TestFloor::add_labelled(std::string label, const Eigen::Vector2d& p_W) {
+std::size_t TestFloor::add_labelled(const std::string& label, const Eigen::Vector2d& p_W) {
   return labels_[label] = add(label, p_W);
 }
 

@@ -22,7 +22,7 @@ class TestFloor {
   explicit TestFloor(std::string name) : name_(std::move(name)) {}
 
   std::size_t add(std::string node, const Eigen::Vector2d& p_W);
-  std::size_t add_labelled(std::string label, const Eigen::Vector2d& p_W);
+  std::size_t add_labelled(const std::string& label, const Eigen::Vector2d& p_W);
   /// Paints a red disc of the stripe's width over a node.
   void lay_disc(std::string_view node) { nodes_[index(node)].has_disc = true; }
   void join(std::size_t a, std::size_t b);

@@ -1,11 +1,27 @@
 #include "vehicle/autopilot/command_slot.h"
 
+#include <algorithm>
+
 namespace lineservo::vehicle {
+namespace {
+
+bool is_landing(const Setpoint& setpoint) {
+  return std::holds_alternative<LandSetpoint>(setpoint);
+}
+
+// A hold of any length: the sum may not go beyond what Time holds.
+Time end_of(Time stamp, Time holds_for) {
+  return stamp + std::min(holds_for, Time::max() - std::max(stamp, Time(0)));
+}
+
+}  // namespace
 
 bool CommandSlot::offer(const Setpoint& setpoint, Time stamp, Time holds_for, Time now) {
   if (!is_finite(setpoint) || holds_for <= Time(0) || stamp > now) return false;
   if (current_ && stamp < current_->stamp) return false;
-  current_ = Entry{setpoint, stamp, stamp + holds_for};
+  const Time until = end_of(stamp, holds_for);
+  if (until < now && !is_landing(setpoint)) return false;
+  current_ = Entry{setpoint, stamp, until};
   return true;
 }
 
@@ -14,7 +30,7 @@ const Setpoint* CommandSlot::live(Time now) const {
 }
 
 bool CommandSlot::land_requested() const {
-  return current_ && std::holds_alternative<LandSetpoint>(current_->setpoint);
+  return current_ && is_landing(current_->setpoint);
 }
 
 }  // namespace lineservo::vehicle

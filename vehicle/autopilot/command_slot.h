@@ -10,7 +10,8 @@ namespace lineservo::vehicle {
 /// The command in force: the newest by its stamp, until its time is over.
 class CommandSlot {
  public:
-  /// Refuses, and says so, what is not finite, older than the command in force, or from the future.
+  /// Refuses, and says so, what is not finite, older than the command in force, from the future, or has run
+  /// out by now.
   bool offer(const Setpoint& setpoint, Time stamp, Time holds_for, Time now);
 
   /// The command, if it is to fly and has not run out.

@@ -9,20 +9,10 @@ namespace {
 // A rotor that stands still answers late: in flight none turns slower than this share of its greatest speed.
 constexpr double kIdleSpeedShare = 0.08;
 
-// (T, M_x, M_y, M_z) = Σ f (1, y, −x, −spin c)
-Eigen::Matrix4d allocation(const AirframeParameters& airframe) {
-  Eigen::Matrix4d A;
-  for (int i = 0; i < kRotors; ++i) {
-    const RotorPlacement& r = airframe.rotors[static_cast<std::size_t>(i)];
-    A.col(i) << 1.0, r.y_m, -r.x_m, -r.spin_sign() * airframe.moment_coefficient_m;
-  }
-  return A;
-}
-
 }  // namespace
 
 Mixer::Mixer(const AirframeParameters& airframe)
-    : from_rotors_(allocation(airframe)),
+    : from_rotors_(airframe.allocation()),
       to_rotors_(from_rotors_.inverse()),
       least_N_(kIdleSpeedShare * kIdleSpeedShare * airframe.max_rotor_thrust_N()),
       greatest_N_(airframe.max_rotor_thrust_N()) {}

@@ -1,5 +1,6 @@
 #include "vehicle/body/airframe.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -33,6 +34,12 @@ void check_body(const AirframeParameters& a, Faults& faults) {
                  "collision_half_extents_m must be positive");
 }
 
+/// Every rotor carries some of the weight in hover, and any moment can be made.
+bool can_hover_and_turn(const AirframeParameters& a) {
+  const Eigen::FullPivLU<Eigen::Matrix4d> allocation(a.allocation());
+  return allocation.isInvertible() && allocation.solve(Eigen::Vector4d::UnitX()).eval().minCoeff() > 0.0;
+}
+
 void check_rotor_places(const AirframeParameters& a, Faults& faults) {
   double spins = 0.0;
   bool finite = true;
@@ -41,8 +48,11 @@ void check_rotor_places(const AirframeParameters& a, Faults& faults) {
     finite = finite && std::isfinite(rotor.x_m) && std::isfinite(rotor.y_m);
   }
   faults.require(spins == 0.0, "rotors must turn two clockwise and two counter-clockwise");
-  faults.require(finite && rotor_distances_m(a).front() > 0.0,
-                 "rotors must have finite and different places");
+  faults.require(finite, "rotors must have finite places");
+  faults.require(!finite || rotor_distances_m(a).front() >= 2.0 * a.rotor_radius_m,
+                 "rotors must not overlap: rotor_radius_m at most half of their least distance");
+  faults.require(!finite || can_hover_and_turn(a),
+                 "rotors must surround the centre of mass and be able to turn the vehicle about every axis");
 }
 
 void check_rotors(const AirframeParameters& a, Faults& faults) {
@@ -65,6 +75,16 @@ void AirframeParameters::validate() const {
   check_body(*this, faults);
   check_rotors(*this, faults);
   faults.throw_if_any();
+}
+
+// (T, M_x, M_y, M_z) = Σ f (1, y, −x, −spin c)
+Eigen::Matrix4d AirframeParameters::allocation() const {
+  Eigen::Matrix4d A;
+  for (int i = 0; i < kRotors; ++i) {
+    const RotorPlacement& r = rotors[static_cast<std::size_t>(i)];
+    A.col(i) << 1.0, r.y_m, -r.x_m, -r.spin_sign() * moment_coefficient_m;
+  }
+  return A;
 }
 
 double AirframeParameters::hover_speed_rad_s() const {

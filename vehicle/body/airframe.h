@@ -45,6 +45,9 @@ struct AirframeParameters {
   /// Throws one std::invalid_argument that lists every fault.
   void validate() const;
 
+  /// Thrust along z_B and the three moments from the rotors' thrusts: (T, M_x, M_y, M_z) = A f.
+  Eigen::Matrix4d allocation() const;
+
   double weight_N() const { return mass_kg * kGravity_m_s2; }
   double max_rotor_thrust_N() const {
     return thrust_coefficient_N_s2 * max_rotor_speed_rad_s * max_rotor_speed_rad_s;

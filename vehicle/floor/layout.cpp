@@ -1,5 +1,6 @@
 #include "vehicle/floor/layout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -14,6 +15,18 @@ constexpr double kLargestWidth_m = 2.0;
 
 using Faults = std::vector<std::string>;
 
+// NaN is not.
+bool is_near(const Eigen::Vector2d& p_W) {
+  return std::abs(p_W.x()) <= kFarthest_m && std::abs(p_W.y()) <= kFarthest_m;
+}
+
+bool is_drawable(const Curve& curve) {
+  return std::all_of(curve.pieces().begin(), curve.pieces().end(), [](const CurvePiece& piece) {
+    return is_near(piece.start_W) &&
+           (piece.curvature_inv_m == 0.0 || std::abs(piece.curvature_inv_m) >= 1.0 / kLargestRadius_m);
+  });
+}
+
 bool is_finite(const Curve& curve) {
   const CurvePoint end = curve.at(curve.length_m());
   return std::isfinite(curve.length_m()) && curve.at(0.0).p_W.allFinite() && end.p_W.allFinite();
@@ -23,7 +36,7 @@ void check_nodes(const Layout& layout, Faults& list) {
   std::set<std::string> names;
   for (const LayoutNode& node : layout.nodes) {
     if (!names.insert(node.name).second) list.push_back("node " + node.name + ": the name is used twice");
-    if (!node.p_W.allFinite()) list.push_back("node " + node.name + ": the position must be finite");
+    if (!is_near(node.p_W)) list.push_back("node " + node.name + ": x and y must be within 10000 m");
   }
   if (layout.start >= layout.nodes.size()) list.push_back("start: no such node");
   for (const auto& [label, node] : layout.labels)
@@ -34,6 +47,9 @@ void check_centreline(const Layout& layout, const LayoutEdge& edge, const std::s
   const Curve& curve = edge.centreline;
   if (curve.pieces().empty()) return list.push_back(name + ": the centreline is empty");
   if (!is_finite(curve)) return list.push_back(name + ": the centreline must be finite");
+  if (!is_drawable(curve))
+    list.push_back(name +
+                   ": the centreline must stay within 10000 m, and its arcs have a radius of up to 1000 m");
   const auto apart_m = [&](double s_m, std::size_t node) {
     return (curve.at(s_m).p_W - layout.nodes[node].p_W).norm();
   };
@@ -56,7 +72,7 @@ void check_edge(const Layout& layout, std::size_t index, Faults& list) {
 void check_markers(const std::vector<LayoutMarker>& markers, const std::string& kind, Faults& list) {
   for (std::size_t i = 0; i < markers.size(); ++i) {
     const std::string name = kind + " marker " + std::to_string(i);
-    if (!markers[i].p_W.allFinite()) list.push_back(name + ": the position must be finite");
+    if (!is_near(markers[i].p_W)) list.push_back(name + ": x and y must be within 10000 m");
     if (!(markers[i].radius_m >= 0.5 * kSmallestWidth_m && markers[i].radius_m <= kLargestWidth_m))
       list.push_back(name + ": the radius must be 0.0025 to 2 m");
   }

@@ -47,9 +47,14 @@ struct Layout {
   Bgr floor_colour = {120, 120, 120};
 };
 
+/// Places and radii beyond these are refused: drawing in single precision is exact to 0.1 mm within them.
+inline constexpr double kFarthest_m = 1e4;  ///< x and y, either way
+inline constexpr double kLargestRadius_m = 1e3;
+
 /// Every fault of the layout, one line each; empty when it is sound. Checks: at least one edge, indices in
-/// range, distinct node names, widths of 5 mm to 2 m, centrelines that start and end on their nodes (1 mm)
-/// and are finite; when all of that holds, that no lines run over each other (overlaps.h).
+/// range, distinct node names, widths of 5 mm to 2 m, centrelines that start and end on their nodes (1 mm),
+/// are finite and keep to kFarthest_m and kLargestRadius_m; when all of that holds, that no lines run over each
+/// other (overlaps.h).
 std::vector<std::string> faults(const Layout& layout);
 
 }  // namespace lineservo::vehicle

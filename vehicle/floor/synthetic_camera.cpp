@@ -51,8 +51,12 @@ void SyntheticCamera::capture(Time now, const Eigen::Isometry3d& X_WB) {
   queue_.push_back(frame);
 }
 
+Time SyntheticCamera::next_delivery() const {
+  return queue_.empty() ? Time::max() : queue_.front().stamp + latency_;
+}
+
 std::optional<Frame> SyntheticCamera::deliver(Time now) {
-  if (queue_.empty() || now < queue_.front().stamp + latency_) return std::nullopt;
+  if (queue_.empty() || now < next_delivery()) return std::nullopt;
   std::optional<Frame> frame(std::move(queue_.front()));
   queue_.pop_front();
   return frame;

@@ -43,6 +43,8 @@ class SyntheticCamera {
   /// Takes the frame that is due, as seen from the body's pose now, stamps it now and queues it. Exposures
   /// missed since are skipped. Requires due(now).
   void capture(Time now, const Eigen::Isometry3d& X_WB);
+  /// When the oldest frame under way becomes available; the end of time when there is none.
+  Time next_delivery() const;
   /// The oldest frame that has become available, or none.
   std::optional<Frame> deliver(Time now);
 

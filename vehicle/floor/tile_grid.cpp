@@ -17,10 +17,16 @@ std::size_t block(int i) {
   return static_cast<std::size_t>(i) * kTilePixels;
 }
 
-PixelPoint pixel_of(int row, int column, int i) {
+// What of a tile lies past the image stands for the image's last pixel: out there a lens need not be
+// invertible.
+PixelPoint within(const CameraModel& camera, PixelPoint p) {
+  return {std::min(p.x, camera.width_px() - 1.0), std::min(p.y, camera.height_px() - 1.0)};
+}
+
+PixelPoint pixel_of(const CameraModel& camera, int row, int column, int i) {
   const int x = column * kTileWidth_px + i % kTileWidth_px;
   const int y = row * kTileHeight_px + i / kTileWidth_px;
-  return {static_cast<double>(x), static_cast<double>(y)};
+  return within(camera, {static_cast<double>(x), static_cast<double>(y)});
 }
 
 RayRect rect_between(float x_min, float x_max, float y_min, float y_max) {
@@ -81,16 +87,16 @@ TileRays TileGrid::rays(int row, int column) const {
 void TileGrid::store_separable_rays(const CameraModel& camera) {
   for (int column = 0; column < columns_; ++column)
     for (int i = 0; i < kTilePixels; ++i)
-      x_.push_back(static_cast<float>(camera.normalize(pixel_of(0, column, i)).x));
+      x_.push_back(static_cast<float>(camera.normalize(pixel_of(camera, 0, column, i)).x));
   for (int row = 0; row < rows_; ++row)
     for (int i = 0; i < kTilePixels; ++i)
-      y_.push_back(static_cast<float>(camera.normalize(pixel_of(row, 0, i)).y));
+      y_.push_back(static_cast<float>(camera.normalize(pixel_of(camera, row, 0, i)).y));
 }
 
 void TileGrid::store_distorted_rays(const CameraModel& camera) {
   for (int tile = 0; tile < rows_ * columns_; ++tile)
     for (int i = 0; i < kTilePixels; ++i) {
-      const NormalizedPoint ray = camera.normalize(pixel_of(tile / columns_, tile % columns_, i));
+      const NormalizedPoint ray = camera.normalize(pixel_of(camera, tile / columns_, tile % columns_, i));
       x_.push_back(static_cast<float>(ray.x));
       y_.push_back(static_cast<float>(ray.y));
     }
@@ -100,8 +106,9 @@ void TileGrid::store_slopes(const CameraModel& camera) {
   const auto& p = camera.parameters();
   const RayJacobian pinhole{static_cast<float>(1.0 / p.fx_px), 0.0F, 0.0F, static_cast<float>(1.0 / p.fy_px)};
   for (int tile = 0; tile < rows_ * columns_; ++tile) {
-    const PixelPoint first = pixel_of(tile / columns_, tile % columns_, 0);
-    const PixelPoint centre{first.x + 0.5 * (kTileWidth_px - 1), first.y + 0.5 * (kTileHeight_px - 1)};
+    const PixelPoint first = pixel_of(camera, tile / columns_, tile % columns_, 0);
+    const PixelPoint centre =
+        within(camera, {first.x + 0.5 * (kTileWidth_px - 1), first.y + 0.5 * (kTileHeight_px - 1)});
     slopes_.push_back(is_separable_ ? pinhole : slope_at(camera, centre));
   }
 }

@@ -26,7 +26,7 @@ struct RayJacobian {
 struct TileRays {
   const float* x = nullptr;  ///< kTilePixels normalised coordinates
   const float* y = nullptr;
-  RayJacobian slope;  ///< at the tile's centre
+  RayJacobian slope;  ///< at the tile's centre, or the image's last pixel where the centre lies past it
 };
 
 /// The rays of a camera's pixels, and bounds of them, tile by tile: what of the drawing depends on the camera

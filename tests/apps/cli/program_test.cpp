@@ -149,6 +149,16 @@ TEST_F(ProgramTest, RefusesSettingsThatAreNone) {
   EXPECT_THAT(refusal({"fly", "a13", "--set", "speed_m_s=fast"}), HasSubstr("a number from 0.01 to 2"));
 }
 
+TEST_F(ProgramTest, RefusesAVehicleThatCannotBe) {
+  EXPECT_THAT(refusal({"fly", "a13", "--set", "vehicle.rotor_radius_m=0.5"}), HasSubstr("must not overlap"));
+}
+
+TEST_F(ProgramTest, AFilesNameNeedNotBeUtf8) {
+  const Ran ran = run({"detect", temp_.write("\xff.png", "no image").string(), "--json"});
+  EXPECT_EQ(ran.exit_code, 1) << ran.err;
+  EXPECT_THAT(nlohmann::json::parse(ran.out).at("error"), HasSubstr("not an image"));
+}
+
 TEST_F(ProgramTest, RefusesNumbersThatAreNone) {
   for (const char* speed : {"fast", "nan", "inf", "0", "-1", "2.01", "", "0.1x", " 0.1", "1e999"})
     EXPECT_THAT(refusal({"fly", "a13", "--speed", speed}), HasSubstr("speed")) << speed;

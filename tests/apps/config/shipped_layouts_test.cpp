@@ -30,7 +30,7 @@ Eigen::Vector2d grid_place(int i, int j) {
   return {0.6 + 3.6 * i, 0.6 + 6.8 / 3.0 * j};
 }
 
-class ShippedGrid : public ::testing::TestWithParam<std::pair<const char*, double>> {
+class ShippedGrid : public ::testing::TestWithParam<std::pair<std::string, double>> {
  protected:
   const vehicle::Layout layout_ = shipped(GetParam().first);
 };

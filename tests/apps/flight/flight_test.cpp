@@ -18,7 +18,6 @@ using testing::Flown;
 using testing::fly;
 using testing::plan_on;
 using testing::request_for;
-using testing::shipped_layout;
 
 /// A corner 1.2 m ahead with the next one 1.2 m to the left: a short flight with a turn.
 vehicle::Layout small_floor() {
@@ -75,12 +74,14 @@ TEST(Flight, TruthIsSampledEveryTenMillisecondsWithoutGaps) {
     ASSERT_EQ(flown.record.truth[i].t - flown.record.truth[i - 1].t, kTruthPeriod);
 }
 
+// At 30 frames/s exposures are not on the 5 ms of the estimates; deliveries keep to the step of the physics.
 TEST(Flight, EveryTickHasTheExposureItsLatencyAgo) {
   FlightRequest request = request_for("node:r", "paper");
+  apply_override(request, "camera.frame_rate_hz=30");
   const Flown flown = fly(request, small_floor(), small_floor());
   ASSERT_GT(flown.record.ticks.size(), 50u);
   for (const TickRecord& tick : flown.record.ticks) {
-    ASSERT_NEAR(vehicle::seconds(tick.t - tick.captured), 0.05, 0.006);
+    ASSERT_NEAR(vehicle::seconds(tick.t - tick.captured), 0.05, 0.001);
     ASSERT_EQ(tick.at_capture.t, tick.captured);
     ASSERT_TRUE(servo::is_finite(tick.command));
   }
@@ -107,7 +108,7 @@ TEST(Flight, A13IsTheFlightThatItAlwaysWas) {
   EXPECT_EQ(sha256_hex(text), "1aed1c3bd93b77a522806ab605b16af0ab7d55f2b3647c27fa6f50832defc581");
 }
 
-class Mission : public ::testing::TestWithParam<std::tuple<const char*, std::uint64_t>> {};
+class Mission : public ::testing::TestWithParam<std::tuple<std::string, std::uint64_t>> {};
 
 TEST_P(Mission, ArrivesOnTheNodeAndStaysOnTheLine) {
   const Flown flown = fly(request_for(std::get<0>(GetParam()), "paper", std::get<1>(GetParam())));

@@ -59,7 +59,7 @@ Flown fly_over(const vehicle::Layout& floor, const std::string& instruction, con
   return fly(request_for(instruction, conditions, seed), shipped_layout("warehouse"), floor);
 }
 
-class MovedNodes : public ::testing::TestWithParam<std::tuple<const char*, std::uint64_t>> {
+class MovedNodes : public ::testing::TestWithParam<std::tuple<std::string, std::uint64_t>> {
  protected:
   const std::string instruction_ = std::get<0>(GetParam());
   const std::uint64_t seed_ = std::get<1>(GetParam());

@@ -12,11 +12,11 @@ namespace lineservo::features {
 namespace {
 
 using test::draw_mask;
-using test::stripe_through;
 
 TEST(RansacLine, StrayPointsDoNotMoveIt) {
   const ImageLine truth = canonical_line(120.0, radians(20.0));
   std::vector<PixelPoint> points;
+  points.reserve(32);
   for (int k = 0; k < 20; ++k) points.push_back(truth.at(10.0 * k));
   for (int k = 0; k < 12; ++k) points.push_back({37.0 * (k % 7), 300.0 - 23.0 * k});
   const auto line = ransac_line(points, {.reach_px = 2.0});

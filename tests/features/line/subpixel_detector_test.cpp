@@ -37,7 +37,8 @@ cv::Mat picture(const CameraPose& pose, Painted&& painted) {
     for (int x = 0; x < kSize.width; ++x) {
       int hits = 0;
       for (int k = 0; k < 16; ++k) {
-        const PixelPoint px{x - 0.375 + 0.25 * (k % 4), y - 0.375 + 0.25 * (k / 4)};
+        const int column = k % 4, row = k / 4;
+        const PixelPoint px{x - 0.375 + 0.25 * column, y - 0.375 + 0.25 * row};
         hits += int{painted(pose.view.level(pose.camera.normalize(px)).vector())};
       }
       const Eigen::Vector3d colour = kGrey + (kYellow - kGrey) * (hits / 16.0);

@@ -17,7 +17,6 @@ using features::FrameFeatures;
 using features::kPi;
 using features::radians;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using testing::Logbook;
 using testing::Mission;
 using testing::MissionTick;

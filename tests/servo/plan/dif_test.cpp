@@ -45,7 +45,7 @@ TEST(Dif, TheCanonicalSpellingIsReadBack) {
   }
 }
 
-class DifRubbish : public ::testing::TestWithParam<const char*> {};
+class DifRubbish : public ::testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Spellings, DifRubbish,
                          ::testing::Values("", "a", "a1", "a123", "13", "e00", "A13", "b10", "b04", "c08",
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Spellings, DifRubbish,
                                            "a１３", "a\xc2\xb9", "node:a13", "a1.3", "0x1"));
 
 TEST_P(DifRubbish, IsRefusedWithWhatIsAllowed) {
-  const std::string text = GetParam();
+  const std::string& text = GetParam();
   try {
     parse_dif(text);
     FAIL() << "'" << text << "' was taken";

@@ -45,6 +45,26 @@ TEST(CommandSlot, RefusesTheOldTheFutureAndTheEmpty) {
   EXPECT_FALSE(slot.offer(forward(2.0), milliseconds(60), Time(0), milliseconds(60)));
 }
 
+TEST(CommandSlot, RefusesWhatHasRunOutAndKeepsWhatItHas) {
+  CommandSlot slot;
+  slot.offer(forward(1.0), Time(0), milliseconds(900), Time(0));
+  EXPECT_FALSE(slot.offer(forward(2.0), milliseconds(100), milliseconds(300), milliseconds(401)));
+  ASSERT_NE(slot.live(milliseconds(401)), nullptr);
+  EXPECT_EQ(std::get<VelocitySetpoint>(*slot.live(milliseconds(401))).v_H_m_s.x(), 1.0);
+}
+
+TEST(CommandSlot, ACommandMayHoldForever) {
+  CommandSlot slot;
+  EXPECT_TRUE(slot.offer(forward(1.0), milliseconds(100), Time::max(), milliseconds(100)));
+  EXPECT_NE(slot.live(std::chrono::hours(1000)), nullptr);
+}
+
+TEST(CommandSlot, ALateCommandToLandIsObeyed) {
+  CommandSlot slot;
+  EXPECT_TRUE(slot.offer(LandSetpoint{}, Time(0), milliseconds(300), milliseconds(500)));
+  EXPECT_TRUE(slot.land_requested());
+}
+
 TEST(CommandSlot, LandingDoesNotRunOutAndIsNoCommandToFly) {
   CommandSlot slot;
   slot.offer(LandSetpoint{}, Time(0), milliseconds(300), Time(0));

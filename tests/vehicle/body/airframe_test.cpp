@@ -37,6 +37,33 @@ TEST(Airframe, AnInertiaThatNoBodyHasIsRefused) {
   EXPECT_THROW(bad.validate(), std::invalid_argument);
 }
 
+TEST(Airframe, RotorsThatOverlapAreRefused) {
+  AirframeParameters bad;
+  bad.rotor_radius_m = 0.14;  // the front and rear rotors are 0.261 m apart
+  EXPECT_THROW(bad.validate(), std::invalid_argument);
+}
+
+TEST(Airframe, RotorsThatCannotMakeEveryMomentAreRefused) {
+  using Spin = RotorPlacement::Spin;
+  AirframeParameters in_a_row, same_spin_on_a_side;
+  in_a_row.rotors = {{{-0.6, 0.0, Spin::counter_clockwise},
+                      {-0.2, 0.0, Spin::clockwise},
+                      {0.2, 0.0, Spin::counter_clockwise},
+                      {0.6, 0.0, Spin::clockwise}}};
+  same_spin_on_a_side.rotors = {{{0.2, 0.2, Spin::counter_clockwise},
+                                 {-0.2, 0.2, Spin::counter_clockwise},
+                                 {0.2, -0.2, Spin::clockwise},
+                                 {-0.2, -0.2, Spin::clockwise}}};
+  EXPECT_THROW(in_a_row.validate(), std::invalid_argument);
+  EXPECT_THROW(same_spin_on_a_side.validate(), std::invalid_argument);
+}
+
+TEST(Airframe, ACentreOfMassOutsideTheRotorsIsRefused) {
+  AirframeParameters bad;
+  for (RotorPlacement& rotor : bad.rotors) rotor.x_m += 0.2;
+  EXPECT_THROW(bad.validate(), std::invalid_argument);
+}
+
 TEST(Airframe, OneThatCannotLiftItselfIsRefused) {
   AirframeParameters heavy;
   heavy.mass_kg = 3.0;

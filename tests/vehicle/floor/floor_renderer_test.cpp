@@ -162,6 +162,19 @@ TEST(FloorRendererNodes, ACornerHasNoNotch) {
                }));
 }
 
+// The last tiles hold one column and one row of pixels; the rest of them lies where this lens has folded
+// over.
+TEST(FloorRendererNodes, TheLensPastTheImageDoesNotMatter) {
+  const CameraModel camera({33, 17, 23.2, 23.2, 16.0, 8.0, {-0.2, 0.0, 0.0, 0.0, 0.0}});
+  const auto colour_at = test::yellow_where([](const Vector2d& p) {
+    return (p.x() >= -kHalf_m && within(p.y())) || (p.y() <= kHalf_m && within(p.x()));
+  });
+  const Layout corner = test::star({0.0, radians(-90.0)}, 0.36);
+  for (const Isometry3d& X_WC : poses_over(0.05, 0.02, 0.5))
+    EXPECT_LE(test::largest_difference(render(corner, camera, X_WC), {32, 0, 1, 17}, camera, X_WC, colour_at),
+              1.5 * kNodeTolerance_levels);
+}
+
 TEST(FloorRendererNodes, ATeeHasNoSeam) {
   expect_areas(
       test::star({0.0, radians(180.0), radians(-90.0)}, 0.36),

@@ -73,6 +73,17 @@ TEST(LayoutFaults, NamesWhatIsNotFinite) {
   EXPECT_THAT(faults(layout), ElementsAre(HasSubstr("node from"), HasSubstr("centreline is empty")));
 }
 
+// Beyond, single precision draws wrongly, and far beyond it overflows.
+TEST(LayoutFaults, NamesWhatIsTooFarAwayToBeDrawn) {
+  EXPECT_THAT(faults(test::single_line({9999.0, -9999.0}, {10000.0, -10000.0}, 0.1)), IsEmpty());
+  EXPECT_THAT(faults(test::single_line({0.0, 0.0}, {0.0, 20000.0}, 0.1)), ElementsAre(HasSubstr("node to")));
+  Layout layout = line();
+  layout.edges[0].centreline = Curve::polyline({{0.0, 0.0}, {0.5, 10001.0}, {1.0, 0.0}});
+  EXPECT_THAT(faults(layout), ElementsAre(HasSubstr("within 10000 m")));
+  layout.edges[0].centreline = Curve::arc({0.0, 0.0}, {1.0, 0.0}, {0.5, 1001.0}, true);
+  EXPECT_THAT(faults(layout), ElementsAre(HasSubstr("radius of up to 1000 m")));
+}
+
 TEST(LayoutFaults, NamesMarkersOutOfBounds) {
   Layout layout = line();
   layout.start_markers.push_back({{0.0, 0.0}, 0.0});

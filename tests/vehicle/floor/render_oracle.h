@@ -80,7 +80,7 @@ inline double largest_difference(const cv::Mat& bgr, const cv::Rect& window,
 }
 
 /// Yellow paint on grey.
-inline FloorColour yellow_where(FloorPredicate is_painted) {
+inline FloorColour yellow_where(const FloorPredicate& is_painted) {
   return [is_painted](const Eigen::Vector2d& p_W) { return is_painted(p_W) ? kYellow : kGrey; };
 }
 

@@ -51,7 +51,9 @@ TEST(SyntheticCamera, DeliversALatencyAfterTheExposureInOrder) {
   SyntheticCamera cam = camera(100.0, 0.025);
   const Eigen::Isometry3d X_WB = body_at(4.2, 0.6, 0.5);
   EXPECT_FALSE(cam.deliver(1s).has_value());
+  EXPECT_EQ(cam.next_delivery(), Time::max());
   for (const Time now : {0ms, 10ms, 20ms}) cam.capture(now, X_WB);
+  EXPECT_EQ(cam.next_delivery(), Time(25ms));
   EXPECT_FALSE(cam.deliver(25ms - 1ns).has_value());
   EXPECT_EQ(cam.deliver(25ms)->stamp, Time(0));
   EXPECT_FALSE(cam.deliver(25ms).has_value());

@@ -12,7 +12,7 @@
 // Layouts built in code, so that a test needs no file.
 namespace lineservo::vehicle::test {
 
-inline std::size_t add_node(Layout& layout, std::string name, Eigen::Vector2d p_W) {
+inline std::size_t add_node(Layout& layout, std::string name, const Eigen::Vector2d& p_W) {
   layout.nodes.push_back({std::move(name), p_W});
   return layout.nodes.size() - 1;
 }
@@ -23,7 +23,7 @@ inline void add_line(Layout& layout, std::size_t from, std::size_t to, double wi
 
 /// A grid of columns × rows nodes, node (i, j) at index i rows + j, all neighbours joined; a red disc on (0,
 /// 0).
-inline Layout grid(int columns, int rows, Eigen::Vector2d spacing_m, double width_m) {
+inline Layout grid(int columns, int rows, const Eigen::Vector2d& spacing_m, double width_m) {
   Layout layout;
   layout.name = "grid";
   const Eigen::Vector2d origin_W(0.6, 0.6);
@@ -47,7 +47,7 @@ inline Layout warehouse(double width_m = 0.36) {
 }
 
 /// One straight stripe between two points.
-inline Layout single_line(Eigen::Vector2d from_W, Eigen::Vector2d to_W, double width_m) {
+inline Layout single_line(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W, double width_m) {
   Layout layout;
   layout.name = "line";
   add_node(layout, "from", from_W);
