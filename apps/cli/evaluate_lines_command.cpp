@@ -61,6 +61,10 @@ void add_evaluate_lines_command(CLI::App& group, int& exit_code) {
   add_seed_option(*command, a.options.seed, "seed of everything random");
   command->add_option("--methods", a.options.methods, "only these, separated by commas (default: all)")
       ->delimiter(',');
+  command->add_option("--levels", a.options.levels, "only these of clean, real-like, harsh (default: all)")
+      ->delimiter(',');
+  command->add_option("--empty", a.options.empty_share,
+                      "share of the frames that show no line, 0 to 1 (default 0.1)");
   command->add_option("--out", a.out, "folder for evaluation.json and evaluation.csv");
   command->add_flag("--json", a.json, "print evaluation.json instead of the table");
   command->callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });

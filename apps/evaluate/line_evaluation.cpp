@@ -86,7 +86,22 @@ void run(Contestant& contestant, const LineFrame& frame, Masks& masks) {
 void check(const LineEvaluationOptions& options) {
   if (options.frames < 1 || options.frames > 100000)
     throw std::invalid_argument("evaluate lines: frames must be 1 to 100000");
+  if (!(options.empty_share >= 0.0 && options.empty_share <= 1.0))
+    throw std::invalid_argument("evaluate lines: the share of frames without a line must be 0 to 1");
   for (const std::string& method : options.methods) features::find_line_method(method);
+}
+
+std::vector<FrameLevel> levels_of(const LineEvaluationOptions& options) {
+  if (options.levels.empty()) return {std::begin(kFrameLevels), std::end(kFrameLevels)};
+  std::vector<FrameLevel> levels;
+  for (const std::string& name : options.levels) {
+    const auto level = std::ranges::find(kFrameLevels, name, name_of);
+    if (level == std::end(kFrameLevels))
+      throw std::invalid_argument("evaluate lines: level '" + name +
+                                  "' is not one of clean, real-like, harsh");
+    levels.push_back(*level);
+  }
+  return levels;
 }
 
 }  // namespace
@@ -94,17 +109,17 @@ void check(const LineEvaluationOptions& options) {
 std::vector<LineEvaluationRow> evaluate_lines(const LineEvaluationOptions& options,
                                               const std::function<bool(double)>& progress) {
   check(options);
-  const double total =
-      1.0 * options.frames * static_cast<double>(std::size(kSizes) * std::size(kFrameLevels));
+  const std::vector<FrameLevel> levels = levels_of(options);
+  const double total = 1.0 * options.frames * static_cast<double>(std::size(kSizes) * levels.size());
   std::vector<LineEvaluationRow> rows;
   Masks masks;
   int done = 0;
   bool go_on = true;
   for (const cv::Size size : kSizes) {
-    for (const FrameLevel level : kFrameLevels) {
+    for (const FrameLevel level : levels) {
       std::vector<Contestant> runners = contestants(options, level, size);
       for (int index = 0; index < options.frames && go_on; ++index) {
-        const LineFrame frame = make_line_frame(size, level, options.seed, index);
+        const LineFrame frame = make_line_frame(size, level, options.seed, index, options.empty_share);
         masks.forget();
         for (Contestant& runner : runners) run(runner, frame, masks);
         go_on = progress(++done / total);

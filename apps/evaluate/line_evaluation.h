@@ -14,6 +14,8 @@ struct LineEvaluationOptions {
   int frames = 100;  ///< of each level and size
   std::uint64_t seed = 1;
   std::vector<std::string> methods = {};  ///< empty: all
+  std::vector<std::string> levels = {};   ///< empty: all
+  double empty_share = kEmptyShare;       ///< of the frames that show no line, 0…1
 };
 
 /// One row of the table.
@@ -28,7 +30,8 @@ struct LineEvaluationRow {
 /// Runs methods over generated frames of every level and both sizes (grid Tab. II used 1920×1080). Methods
 /// that can use the camera run twice: told its tilt, and on the image alone. All see the same pictures.
 /// `progress` is called with the share done; when it returns false the evaluation ends with what it has.
-/// Throws std::invalid_argument for an unknown method or frames outside 1…100000.
+/// Throws std::invalid_argument for an unknown method or level, frames outside 1…100000 or
+/// a share outside 0…1.
 std::vector<LineEvaluationRow> evaluate_lines(const LineEvaluationOptions& options,
                                               const std::function<bool(double)>& progress);
 

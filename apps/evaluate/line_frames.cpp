@@ -72,12 +72,12 @@ std::uint8_t level_in(Random& random, double low, double high) {
   return static_cast<std::uint8_t>(random.uniform(low, high));
 }
 
-Scene draw_scene(const features::CameraModel& camera, FrameLevel level, Random& random) {
+Scene draw_scene(const features::CameraModel& camera, FrameLevel level, double empty, Random& random) {
   Scene scene;
   scene.height_m = random.uniform(0.4, 1.2);
   scene.roll_rad = radians(random.uniform(-10.0, 10.0));
   scene.pitch_rad = radians(random.uniform(-10.0, 10.0));
-  scene.has_line = random.uniform() >= 0.1;
+  scene.has_line = random.uniform() >= empty;
   const bool across = random.uniform() < 0.2;
   scene.has_branch = !across && random.uniform() < 0.25 && level != FrameLevel::clean;
   scene.width_m = std::min(random.uniform(0.05, 0.4), 0.6 * scene.height_m);
@@ -211,11 +211,11 @@ std::string name_of(FrameLevel level) {
   return "";
 }
 
-LineFrame make_line_frame(cv::Size size, FrameLevel level, std::uint64_t seed, int index) {
+LineFrame make_line_frame(cv::Size size, FrameLevel level, std::uint64_t seed, int index, double empty) {
   const auto stream = static_cast<std::uint64_t>(index) * 8 + static_cast<std::uint64_t>(level);
   Random random(seed, stream);
   LineFrame frame{.bgr = {}, .camera = features::StripeSearch::assumed_camera(size), .truth = std::nullopt};
-  const Scene scene = draw_scene(frame.camera.camera, level, random);
+  const Scene scene = draw_scene(frame.camera.camera, level, empty, random);
   frame.camera.view = features::LevelView(scene.roll_rad, scene.pitch_rad);
   vehicle::FloorRenderer(layout_of(scene), frame.camera.camera).render(camera_pose(scene), frame.bgr);
   if (scene.has_line)

@@ -27,9 +27,12 @@ struct LineFrame {
   std::optional<features::ImageLine> truth;  ///< the centreline, tilt and perspective included; none: no line
 };
 
+inline constexpr double kEmptyShare = 0.1;
+
 /// Frame `index` of a series: random position, yaw, tilt ±10°, height 0.4…1.2 m, line width 0.05…0.4 m. One
-/// in five runs nearly across the image, one in ten shows no line, and of the others one in four at the
-/// levels above clean shows a side branch. The same arguments give the same frame.
-LineFrame make_line_frame(cv::Size size, FrameLevel level, std::uint64_t seed, int index);
+/// in five runs nearly across the image, a share of `empty` (0…1) shows no line, and of the others one in
+/// four at the levels above clean shows a side branch. The same arguments give the same frame.
+LineFrame make_line_frame(cv::Size size, FrameLevel level, std::uint64_t seed, int index,
+                          double empty = kEmptyShare);
 
 }  // namespace lineservo::apps

@@ -35,6 +35,18 @@ ordered_json json_of(const ErrorSummary& errors) {
   return {{"mean", number(errors.mean)}, {"median", number(errors.median)}, {"p95", number(errors.p95)}};
 }
 
+ordered_json json_of(const ShareInterval& interval) {
+  return {number(interval.low), number(interval.high)};
+}
+
+ShareInterval detection_ci95(const LineScore& score) {
+  return wilson_interval(score.found, score.frames_with_line);
+}
+
+ShareInterval false_alarm_ci95(const LineScore& score) {
+  return wilson_interval(score.false_alarms, score.frames_without_line);
+}
+
 ordered_json json_of(const Published& p) {
   ordered_json json = {{"simulated_rho_px", p.simulated_px},
                        {"simulated_theta_deg", p.simulated_deg},
@@ -55,7 +67,9 @@ ordered_json json_of(const LineEvaluationRow& row) {
                        {"frames_without_line", row.score.frames_without_line},
                        {"answered", row.score.answered},
                        {"detection_rate", number(row.score.detection_rate())},
+                       {"detection_ci95", json_of(detection_ci95(row.score))},
                        {"false_alarm_rate", number(row.score.false_alarm_rate())},
+                       {"false_alarm_ci95", json_of(false_alarm_ci95(row.score))},
                        {"rho_error_px", json_of(summarise_errors(row.score.rho_px))},
                        {"theta_error_deg", json_of(summarise_errors(row.score.theta_deg))},
                        {"mask_ms", number(row.score.mask_per_frame_ms())},
@@ -74,6 +88,13 @@ std::string cell(double value, int width, int digits) {
                               : fmt::format("{:>{}}", "-", width);
 }
 
+// A share and its interval, in per cent.
+std::string share_cell(double share, const ShareInterval& ci95) {
+  if (!std::isfinite(share)) return fmt::format("{:>18}", "-");
+  return fmt::format("{:>6.1f} {:>11}", 100.0 * share,
+                     fmt::format("{:.1f}…{:.1f}", 100.0 * ci95.low, 100.0 * ci95.high));
+}
+
 std::string published_cell(const LineEvaluationRow& row) {
   const auto beside = published(row.method);
   if (!beside || row.size.width != 1920) return "";
@@ -89,8 +110,8 @@ std::string table_row(const LineEvaluationRow& row) {
   const std::string name = row.method + (row.told_tilt ? " +tilt" : "");
   return fmt::format("{:<15}{}{}{} {}{}{} {}{}{}{}  {}\n", name, cell(rho.mean, 8, 2), cell(rho.median, 8, 2),
                      cell(rho.p95, 8, 2), cell(theta.mean, 8, 3), cell(theta.median, 8, 3),
-                     cell(theta.p95, 8, 3), cell(100.0 * row.score.detection_rate(), 7, 1),
-                     cell(100.0 * row.score.false_alarm_rate(), 7, 1),
+                     cell(theta.p95, 8, 3), share_cell(row.score.detection_rate(), detection_ci95(row.score)),
+                     share_cell(row.score.false_alarm_rate(), false_alarm_ci95(row.score)),
                      cell(row.score.mask_per_frame_ms(), 8, 2), cell(row.score.time_per_frame_ms(), 8, 2),
                      published_cell(row));
 }
@@ -98,10 +119,10 @@ std::string table_row(const LineEvaluationRow& row) {
 std::string heading(const LineEvaluationRow& row) {
   return fmt::format(
       "\n{}×{}, {}: {} frames with a line, {} without\n"
-      "{:<15}{:>8}{:>8}{:>8} {:>8}{:>8}{:>8} {:>7}{:>7}{:>8}{:>8}  {}\n",
+      "{:<15}{:>8}{:>8}{:>8} {:>8}{:>8}{:>8} {:>18}{:>18}{:>8}{:>8}  {}\n",
       row.size.width, row.size.height, name_of(row.level), row.score.frames_with_line,
       row.score.frames_without_line, "method", "Δρ mean", "median", "p95 px", "Δθ mean", "median", "p95 °",
-      "found%", "false%", "mask ms", "line ms", "published mean");
+      "found % (95 %)", "false % (95 %)", "mask ms", "line ms", "published mean");
 }
 
 }  // namespace
@@ -112,6 +133,7 @@ ordered_json lines_json(const LineEvaluationOptions& options, const std::vector<
   json["version"] = std::string(kVersion);
   json["settings"] = {{"frames", options.frames},
                       {"seed", options.seed},
+                      {"empty_share", options.empty_share},
                       {"found_within_px", kFoundWithin_px},
                       {"found_within_deg", kFoundWithin_deg}};
   json["rows"] = ordered_json::array();
@@ -123,17 +145,19 @@ std::string lines_csv(const std::vector<LineEvaluationRow>& rows) {
   std::string csv =
       "method,told_tilt,level,width_px,height_px,frames_with_line,frames_without_line,rho_mean_px,rho_median_"
       "px,"
-      "rho_p95_px,theta_mean_deg,theta_median_deg,theta_p95_deg,detection_rate,false_alarm_rate,mask_ms,line_"
-      "ms\n";
+      "rho_p95_px,theta_mean_deg,theta_median_deg,theta_p95_deg,detection_rate,detection_low,detection_high,"
+      "false_alarm_rate,false_alarm_low,false_alarm_high,mask_ms,line_ms\n";
   for (const LineEvaluationRow& row : rows) {
     const LineScore& s = row.score;
     const ErrorSummary rho = summarise_errors(s.rho_px), theta = summarise_errors(s.theta_deg);
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.method, int{row.told_tilt},
-                    name_of(row.level), row.size.width, row.size.height, s.frames_with_line,
-                    s.frames_without_line, plain(rho.mean), plain(rho.median), plain(rho.p95),
-                    plain(theta.mean), plain(theta.median), plain(theta.p95), plain(s.detection_rate()),
-                    plain(s.false_alarm_rate()), plain(s.mask_per_frame_ms()), plain(s.time_per_frame_ms()));
+    const ShareInterval found = detection_ci95(s), alarms = false_alarm_ci95(s);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.method,
+                       int{row.told_tilt}, name_of(row.level), row.size.width, row.size.height,
+                       s.frames_with_line, s.frames_without_line, plain(rho.mean), plain(rho.median),
+                       plain(rho.p95), plain(theta.mean), plain(theta.median), plain(theta.p95),
+                       plain(s.detection_rate()), plain(found.low), plain(found.high),
+                       plain(s.false_alarm_rate()), plain(alarms.low), plain(alarms.high),
+                       plain(s.mask_per_frame_ms()), plain(s.time_per_frame_ms()));
   }
   return csv;
 }

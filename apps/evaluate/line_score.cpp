@@ -31,6 +31,16 @@ ErrorSummary summarise_errors(std::vector<double> sizes) {
   return {sum / static_cast<double>(sizes.size()), ranked(sizes, 0.5), ranked(sizes, 0.95)};
 }
 
+// With p = hits/n: (p + z²/2n ± z √(p(1−p)/n + z²/4n²)) / (1 + z²/n).
+ShareInterval wilson_interval(int hits, int trials) {
+  if (trials == 0) return {kNone, kNone};
+  constexpr double z = 1.959964;
+  const double n = trials, p = hits / n, scale = 1.0 / (1.0 + z * z / n);
+  const double middle = p + z * z / (2.0 * n);
+  const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+  return {std::max(0.0, scale * (middle - half)), std::min(1.0, scale * (middle + half))};
+}
+
 double LineScore::detection_rate() const {
   return share(found, frames_with_line);
 }

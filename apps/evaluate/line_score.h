@@ -17,6 +17,12 @@ struct ErrorSummary {
 };
 ErrorSummary summarise_errors(std::vector<double> sizes);
 
+/// The 95 % interval of a share of which `hits` of `trials` were seen (Wilson 1927); NaN without trials.
+struct ShareInterval {
+  double low, high;
+};
+ShareInterval wilson_interval(int hits, int trials);
+
 /// How one method did on a series of frames.
 struct LineScore {
   int frames_with_line = 0, answered = 0, found = 0;

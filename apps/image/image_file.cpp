@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "apps/config/input_error.h"
@@ -30,6 +31,28 @@ std::vector<char> bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+constexpr std::string_view kStart = "\xFF\xD8", kScan = "\xFF\xDA", kEnd = "\xFF\xD9";
+
+// The first scan of a JPEG file, past the segments before it, which may hold a smaller picture with scans and
+// an end of its own; npos if there is none. A segment is its marker, its length in two bytes, its content.
+std::size_t first_scan(std::string_view jpeg) {
+  const auto byte = [jpeg](std::size_t at) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(jpeg[at]));
+  };
+  for (std::size_t at = 2; at + 4 <= jpeg.size() && byte(at) == 0xFF;) {
+    if (jpeg.substr(at, 2) == kScan) return at;
+    at += byte(at + 1) == 0xFF ? 1 : 2 + 256 * byte(at + 2) + byte(at + 3);
+  }
+  return jpeg.npos;
+}
+
+// Decoders fill what is missing of a JPEG file with grey, where one would see floor or lines.
+bool is_cut_short(std::string_view bytes) {
+  if (bytes.substr(0, 2) != kStart) return false;
+  const std::size_t scan = first_scan(bytes);
+  return scan != bytes.npos && bytes.find(kEnd, scan) == bytes.npos;
+}
+
 }  // namespace
 
 cv::Mat read_image(const std::filesystem::path& file) {
@@ -40,6 +63,8 @@ cv::Mat read_image(const std::filesystem::path& file) {
   const bool fits = bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max());
   if (!fits || !decode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), &image))
     throw InputError(file.string() + ": not an image that can be read");
+  if (is_cut_short({bytes.data(), bytes.size()}))
+    throw InputError(file.string() + ": the image is cut short");
   return image;
 }
 

@@ -11,8 +11,7 @@ namespace lineservo::features {
 namespace {
 
 constexpr double kFullQuantile = 0.995;  // a line covers more of the image than the rest
-constexpr double kPlain = 0.35;          // full contrast of paint that nobody can miss, 1 = 255
-constexpr double kPlainBlack = 0.55;     // and of black: shadows reach 0.5
+constexpr ContrastReach kWholePicture{.share = 1.0, .floor_share = 0.25};
 constexpr double kLevels = 255.0;
 
 bool is_hue(LineColor color) {
@@ -61,45 +60,56 @@ std::vector<ColorChoice> AutoSegmenter::choices(const cv::Mat& image, const Mask
   WedgeLineFinder finder(geometry);
   std::vector<ColorChoice> found;
   for (const LineColor color : options_.colors)
-    if (auto best = best_of(color, bgr, finder)) found.push_back(std::move(*best));
+    if (auto best = best_of(bar_of(color, image.channels() == 3), bgr, finder))
+      found.push_back(std::move(*best));
   std::stable_sort(found.begin(), found.end(),
                    [](const ColorChoice& a, const ColorChoice& b) { return a.evidence > b.evidence; });
   return found;
 }
 
-std::optional<ColorChoice> AutoSegmenter::best_of(LineColor color, const cv::Mat& bgr,
+// Between shadows and beside dark joints and planks the floor is lighter than the floor around it; paint is
+// lighter, or darker, than the floor of the whole picture as well.
+std::optional<ColorChoice> AutoSegmenter::best_of(const Bar& bar, const cv::Mat& bgr,
                                                   WedgeLineFinder& finder) const {
+  const double most =
+      is_hue(bar.color) ? kLevels : full_contrast(color_contrast(bgr, bar.color, kWholePicture));
   std::optional<ColorChoice> best;
-  for (const ContrastReach& reach : options_.reaches)
-    try_thresholds(color, color_contrast(bgr, color, reach), finder, best);
+  for (const ContrastReach& reach : options_.reaches) {
+    const cv::Mat contrast = color_contrast(bgr, bar.color, reach);
+    const PaintContrast paint{contrast, full_contrast(contrast), bar.least_width};
+    if (paint.full < kLevels * bar.least_contrast) continue;
+    try_thresholds(bar, paint, trust(bar, std::min(paint.full, most)), finder, best);
+  }
   return best;
 }
 
-void AutoSegmenter::try_thresholds(LineColor color, const cv::Mat& contrast, WedgeLineFinder& finder,
-                                   std::optional<ColorChoice>& best) const {
-  const PaintContrast paint{contrast, full_contrast(contrast), least_width(color)};
-  if (paint.full < kLevels * least_contrast(color)) return;
+void AutoSegmenter::try_thresholds(const Bar& bar, const PaintContrast& paint, double trusted,
+                                   WedgeLineFinder& finder, std::optional<ColorChoice>& best) const {
+  if (trusted < options_.min_evidence) return;
   for (const double threshold : options_.thresholds) {
-    PackedMask mask = thresholded(contrast, threshold * paint.full);
+    PackedMask mask = thresholded(paint.contrast, threshold * paint.full);
     WedgeLines seen = finder.find(mask);
-    const double evidence = trust(color, paint.full) * judge(mask, paint, finder.geometry(), seen);
+    const double evidence = trusted * judge(mask, paint, finder.geometry(), seen);
     if (evidence < std::max(options_.min_evidence, best ? best->evidence : 0.0)) continue;
-    best = ColorChoice{color, evidence, std::move(mask), std::move(seen)};
+    best = ColorChoice{bar.color, evidence, std::move(mask), std::move(seen)};
   }
 }
 
-double AutoSegmenter::least_contrast(LineColor color) const {
-  return is_hue(color) ? options_.least_hue_contrast : options_.least_lightness_contrast;
+AutoSegmenter::Bar AutoSegmenter::bar_of(LineColor color, bool picture_has_hues) const {
+  const AutoSegmenterOptions& o = options_;
+  if (is_hue(color)) return {color, o.least_hue_contrast, o.plain_hue, o.least_hue_width};
+  const double plain = color == LineColor::black ? o.plain_black : o.plain_white;
+  return {color, o.least_lightness_contrast, picture_has_hues ? plain : o.plain_grey,
+          o.least_lightness_width};
 }
 
-double AutoSegmenter::least_width(LineColor color) const {
-  if (is_hue(color)) return options_.least_hue_width;
-  return color == LineColor::white ? options_.least_white_width : options_.least_black_width;
-}
-
-double AutoSegmenter::trust(LineColor color, double full_contrast) const {
-  const double plain = color == LineColor::black ? kPlainBlack : kPlain;
-  return (is_hue(color) ? 1.0 : options_.lightness_trust) * std::min(1.0, full_contrast / (kLevels * plain));
+// Hues are rare on a floor, so that a pale one counts in proportion. Light and shade are everywhere: what is
+// barely lighter or darker than the floor counts for nothing, and for more the plainer it is.
+double AutoSegmenter::trust(const Bar& bar, double full_contrast) const {
+  const double full = full_contrast / kLevels;
+  if (is_hue(bar.color)) return std::min(1.0, full / bar.plain_contrast);
+  const double above = (full - bar.least_contrast) / (bar.plain_contrast - bar.least_contrast);
+  return options_.lightness_trust * std::clamp(above, 0.0, 1.0);
 }
 
 }  // namespace lineservo::features

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "features/detect/stripe_evidence.h"
 #include "features/detect/wedge_lines.h"
 #include "features/mask/color_contrast.h"
 #include "features/mask/segmenter.h"
@@ -11,15 +12,18 @@ namespace lineservo::features {
 
 struct AutoSegmenterOptions {
   std::vector<LineColor> colors = {kLineColors.begin(), kLineColors.end()};  ///< those that may be found
-  std::vector<ContrastReach> reaches = {{0.25}, {0.6}, {1.0}};
+  std::vector<ContrastReach> reaches = {{0.25}, {0.6}, {1.0}, {1.0, 0.25}};
   std::vector<double> thresholds = {0.3, 0.45, 0.6};  ///< of the full contrast
   double least_hue_contrast = 0.14;                   ///< below this nothing is painted in that hue
   double least_lightness_contrast = 0.18;             ///< below this nothing is painted lighter or darker
-  double least_hue_width = 0.008;    ///< of a line with a hue of its own, in widths of the image
-  double least_white_width = 0.012;  ///< and of a white one
-  double least_black_width = 0.016;  ///< and of a black one: joints between tiles are black and narrower
-  double lightness_trust = 0.85;     ///< a line with a hue of its own goes before one without
-  double min_evidence = 0.3;         ///< below this there is no line
+  double least_hue_width = 0.008;        ///< of a line with a hue of its own, in widths of the image
+  double least_lightness_width = 0.012;  ///< of a white or black one: joints between tiles are narrower
+  double plain_hue = 0.35;               ///< full contrast of paint that nobody can miss, 1 = 255
+  double plain_white = 0.5;              ///< of white; planks of wood reach 0.4
+  double plain_black = 0.65;             ///< of black; shadows reach 0.5
+  double plain_grey = 0.28;  ///< of both in a grey picture, where paint of any hue is but lighter or darker
+  double lightness_trust = 0.85;  ///< a line with a hue of its own goes before one without
+  double min_evidence = 0.35;     ///< below this there is no line
 };
 
 /// What was found to be paint.
@@ -49,11 +53,15 @@ class AutoSegmenter : public Segmenter {
   double evidence() const { return evidence_; }
 
  private:
-  std::optional<ColorChoice> best_of(LineColor color, const cv::Mat& bgr, WedgeLineFinder& finder) const;
-  double least_contrast(LineColor color) const;
-  double least_width(LineColor color) const;
-  double trust(LineColor color, double full_contrast) const;
-  void try_thresholds(LineColor color, const cv::Mat& contrast, WedgeLineFinder& finder,
+  /// What counts for paint of one colour in one picture.
+  struct Bar {
+    LineColor color = LineColor::yellow;
+    double least_contrast = 0.0, plain_contrast = 1.0, least_width = 0.0;
+  };
+  Bar bar_of(LineColor color, bool picture_has_hues) const;
+  std::optional<ColorChoice> best_of(const Bar& bar, const cv::Mat& bgr, WedgeLineFinder& finder) const;
+  double trust(const Bar& bar, double full_contrast) const;
+  void try_thresholds(const Bar& bar, const PaintContrast& paint, double trusted, WedgeLineFinder& finder,
                       std::optional<ColorChoice>& best) const;
 
   AutoSegmenterOptions options_;

@@ -15,6 +15,7 @@ constexpr std::string_view kStripe = "stripe";
 constexpr int kLeastSide_px = 16;
 constexpr double kCarriesOn = 0.5;     // of the longest line, and of the surest one
 constexpr double kSureBeside = 0.7;    // a line of another paint is told when it is so sure by itself
+constexpr double kThinHue = 0.0035;    // of the image's width: the finer look sees lines from 4.5 px of 1280
 constexpr double kWidestBeside = 2.5;  // and no wider than so many of the widest of the chosen paint
 
 /// From mask pixels to pixels of the image; the resize keeps the corners of the pixels.
@@ -90,6 +91,22 @@ std::vector<WedgeLine> best_first(std::vector<WedgeLine> lines) {
   return lines;
 }
 
+/// A camera of twice the view for twice the pixels: what the search takes for narrow is a number of pixels.
+/// None for a picture that is seen whole already, or by a known camera.
+std::optional<MaskGeometry> finer_geometry(cv::Size image, const ImageDetectorOptions& options) {
+  const int longest = std::max(image.width, image.height);
+  const int finest = std::min(options.finest_side_px, longest);
+  if (options.camera || finest <= options.longest_side_px) return std::nullopt;
+  const auto scaled = [&](int side_px) {
+    return std::max(kLeastSide_px, static_cast<int>(std::lround(1.0 * side_px * finest / longest)));
+  };
+  CameraParameters camera{.width_px = scaled(image.width), .height_px = scaled(image.height)};
+  camera.fx_px = camera.fy_px = 0.5 * camera.width_px * options.longest_side_px / finest;
+  camera.cx_px = 0.5 * (camera.width_px - 1);
+  camera.cy_px = 0.5 * (camera.height_px - 1);
+  return MaskGeometry(CameraModel(camera), camera.width_px, camera.height_px);
+}
+
 double widest_px(const std::vector<ImageLine>& lines) {
   double widest = 0.0;
   for (const ImageLine& line : lines) widest = std::max(widest, line.width_px);
@@ -115,6 +132,8 @@ ImageDetector::ImageDetector(const ImageDetectorOptions& options)
   find_line_method(options.method);
   if (options.longest_side_px < 64 || options.longest_side_px > 4096)
     throw std::invalid_argument("image detector: longest_side_px must be 64 to 4096");
+  if (options.finest_side_px < 64 || options.finest_side_px > 4096)
+    throw std::invalid_argument("image detector: finest_side_px must be 64 to 4096");
   if (options.camera) CameraModel{*options.camera};
 }
 
@@ -122,8 +141,26 @@ ImageDetection ImageDetector::detect(const cv::Mat& image) const {
   require_segmentable(image, {kLeastSide_px, kLeastSide_px});
   const MaskGeometry geometry = geometry_for(image.size());
   const std::vector<ColorChoice> paints = segmenter_.choices(image, geometry);
+  if (!paints.empty()) return told(paints, image, geometry);
+  const auto finer = finer_geometry(image.size(), options_);
+  if (!finer) return {};
+  const std::vector<ColorChoice> thin = thin_paints(image, *finer);
+  return thin.empty() ? ImageDetection() : told(thin, image, *finer);
+}
+
+// White and black are left out: so thin, they are joints between tiles and planks.
+std::vector<ColorChoice> ImageDetector::thin_paints(const cv::Mat& image,
+                                                    const MaskGeometry& geometry) const {
+  AutoSegmenterOptions options = options_.segmenter;
+  std::erase_if(options.colors, [](LineColor c) { return c == LineColor::white || c == LineColor::black; });
+  if (options.colors.empty() || image.channels() == 1) return {};
+  options.least_hue_width = kThinHue;
+  return AutoSegmenter(options).choices(image, geometry);
+}
+
+ImageDetection ImageDetector::told(const std::vector<ColorChoice>& paints, const cv::Mat& image,
+                                   const MaskGeometry& geometry) const {
   ImageDetection detection;
-  if (paints.empty()) return detection;
   const ColorChoice& best = paints.front();
   const ImageScale scale(image.size(), geometry);
   detection.color = best.color;

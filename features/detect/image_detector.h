@@ -28,6 +28,7 @@ struct ImageDetectorOptions {
       "stripe";  ///< of line_methods(); with stripe, borders may converge as those of a slanted view do
   std::optional<CameraParameters> camera;  ///< without one: assumed_geometry()
   int longest_side_px = 640;               ///< larger pictures are looked at in this size
+  int finest_side_px = 1280;  ///< and once more in this one, for thin lines with a hue, when nothing was seen
 };
 
 /// Lines and junction in single pictures of any camera and size.
@@ -42,6 +43,9 @@ class ImageDetector {
 
  private:
   MaskGeometry geometry_for(cv::Size image_size) const;
+  std::vector<ColorChoice> thin_paints(const cv::Mat& image, const MaskGeometry& geometry) const;
+  ImageDetection told(const std::vector<ColorChoice>& paints, const cv::Mat& image,
+                      const MaskGeometry& geometry) const;
   std::vector<ImageLine> lines_of(const ColorChoice& paint, const cv::Mat& image,
                                   const MaskGeometry& geometry) const;
 

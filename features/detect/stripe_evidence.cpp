@@ -7,13 +7,14 @@
 namespace lineservo::features {
 namespace {
 
-constexpr double kLeastShare = 0.002, kLargestShare = 0.55;  // of the image that is paint
-constexpr double kLongEnough = 0.5;                          // of the image's shorter side
-constexpr double kSlender = 2.0;                             // length over width
-constexpr double kBeside = 0.02;   // of the image's shorter side, from a border, where contrast is looked at
-constexpr double kNoStep = 0.15;   // of the full contrast: so soft is no border
-constexpr double kFullStep = 0.6;  // so sharp is sharp enough
-constexpr double kCredible = 0.2;  // quality times sharpness of a line worth telling
+constexpr double kLeastShare = 0.002, kLargestShare = 0.7;  // of the image that is paint
+constexpr double kLongEnough = 0.5;                         // of the image's shorter side
+constexpr double kSlender = 2.0;                            // length over width
+constexpr double kBeside = 0.02;    // of the image's shorter side, from a border, where contrast is looked at
+constexpr double kNoStep = 0.15;    // of the full contrast: so soft is no border
+constexpr double kFullStep = 0.6;   // so sharp is sharp enough
+constexpr double kCredible = 0.2;   // quality times sharpness of a line worth telling
+constexpr double kOneBorder = 0.7;  // what a line counts whose other border is out of view: any edge has one
 constexpr double kUnexplained = 0.35;  // what is left of a mask of which the lines explain nothing
 constexpr double kOthers = 0.2;        // weight of the lines besides the best
 constexpr int kSections = 24;
@@ -51,6 +52,19 @@ std::optional<double> border_step(const WedgeLine& line, double side, const cv::
   return steps == 0 ? std::nullopt : std::optional(sum / steps);
 }
 
+/// The view cuts it at both ends, so that nobody knows how long it is.
+bool crosses_view(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
+  const StripeAxes axes(line.wedge.course);
+  const double beyond = 0.05 * shorter_side(geometry);
+  return !contrast_at(paint.contrast, geometry, axes.at(line.begin - beyond, 0.0)) &&
+         !contrast_at(paint.contrast, geometry, axes.at(line.end + beyond, 0.0));
+}
+
+bool shows_both_borders(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
+  return border_step(line, -1.0, paint.contrast, geometry) &&
+         border_step(line, 1.0, paint.contrast, geometry);
+}
+
 bool is_credible(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
   const double image_width = geometry.width_px() / geometry.pinhole()(0, 0);
   return line.wedge.course.width >= paint.least_width * image_width &&
@@ -78,8 +92,10 @@ double sharpness(const WedgeLine& line, const PaintContrast& paint, const MaskGe
 
 double line_evidence(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry) {
   const double longness = line.length() / (kLongEnough * shorter_side(geometry));
-  const double slenderness = line.length() / (kSlender * line.wedge.course.width);
-  return line.quality * std::min(1.0, longness) * std::min(1.0, slenderness) *
+  const double slenderness =
+      crosses_view(line, paint, geometry) ? 1.0 : line.length() / (kSlender * line.wedge.course.width);
+  const double borders = shows_both_borders(line, paint, geometry) ? 1.0 : kOneBorder;
+  return line.quality * std::min(1.0, longness) * std::min(1.0, slenderness) * borders *
          sharpness(line, paint, geometry);
 }
 

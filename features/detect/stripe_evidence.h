@@ -17,7 +17,8 @@ struct PaintContrast {
 /// paint. A border out of view does not count; 0 when both are. Shadows and glare have soft borders.
 double sharpness(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry);
 
-/// How much a line looks painted: straight and sharp borders, long, and long for its width. 0…1.
+/// How much a line looks painted: straight and sharp borders, both in view, long, and long for its width
+/// unless the view cuts it at both ends. 0…1.
 double line_evidence(const WedgeLine& line, const PaintContrast& paint, const MaskGeometry& geometry);
 
 /// Share of the foreground that lies on the lines, 0…1.
@@ -26,7 +27,7 @@ double explained_share(const PackedMask& mask, const std::vector<WedgeLine>& lin
 
 /// Weighs every line, drops those that are not credible, and says how much the mask looks like painted lines
 /// and nothing else: evidence of its best line and some of the others', times what the lines explain of it;
-/// 0 where paint covers less than 0.2 % or more than 55 %.
+/// 0 where paint covers less than 0.2 % or more than 70 %.
 double judge(const PackedMask& mask, const PaintContrast& paint, const MaskGeometry& geometry,
              WedgeLines& seen);
 

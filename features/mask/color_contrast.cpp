@@ -7,10 +7,9 @@
 namespace lineservo::features {
 namespace {
 
-constexpr int kShrink = 4;           // the floor is looked for in an image so much smaller
-constexpr int kDarkest = 24;         // below this level a ratio says nothing
-constexpr int kPalest = 48;          // below this level a hue says nothing
-constexpr double kFloorShare = 0.4;  // quantile that is floor as long as paint covers no more than 60 %
+constexpr int kShrink = 4;    // the floor is looked for in an image so much smaller
+constexpr int kDarkest = 24;  // below this level a ratio says nothing
+constexpr int kPalest = 48;   // below this level a hue says nothing
 
 bool is_hue(LineColor color) {
   return color == LineColor::yellow || color == LineColor::red;
@@ -58,8 +57,8 @@ int quantile(const cv::Mat& image, double share) {
   return level;
 }
 
-cv::Mat floor_of_image(const cv::Mat& cue, bool paint_is_darker) {
-  const int level = quantile(cue, paint_is_darker ? 1.0 - kFloorShare : kFloorShare);
+cv::Mat floor_of_image(const cv::Mat& cue, bool paint_is_darker, double share) {
+  const int level = quantile(cue, paint_is_darker ? 1.0 - share : share);
   return {cue.size(), CV_8UC1, cv::Scalar(level)};
 }
 
@@ -97,7 +96,7 @@ cv::Mat color_contrast(const cv::Mat& bgr, LineColor color, ContrastReach reach)
   cv::Mat cue = is_hue(color) ? hue_cue(bgr, color) : lightness(bgr);
   cv::blur(cue, cue, {3, 3});
   const cv::Mat floor = reach.share < 1.0 ? floor_around(cue, paint_is_darker, reach.share)
-                                          : floor_of_image(cue, paint_is_darker);
+                                          : floor_of_image(cue, paint_is_darker, reach.floor_share);
   if (!is_hue(color)) return compared(cue, floor, color);
   cv::Mat contrast;
   cv::subtract(cue, floor, contrast);  // stops at zero

@@ -10,6 +10,8 @@ namespace lineservo::features {
 /// floor of the whole image (for stripes so wide that no neighbourhood reaches past them).
 struct ContrastReach {
   double share = 0.4;  ///< of the shorter side, above 0 and below 1; 1: the whole image
+  double floor_share =
+      0.4;  ///< with the whole image: the quantile that is floor; paint covers the rest at most
 };
 
 /// How much each pixel looks like paint of a colour beside the floor around it, CV_8UC1, 255 = 1.

@@ -45,6 +45,19 @@ TEST(LineScore, FoundMeansWithinTwentyPixelsAndThreeDegrees) {
   EXPECT_EQ(score.rho_px.size(), 3u);
 }
 
+TEST(LineScore, WilsonsIntervalInClosedForm) {
+  constexpr double z2 = 1.959964 * 1.959964;
+  const ShareInterval none = wilson_interval(0, 1000), all = wilson_interval(1000, 1000);
+  EXPECT_NEAR(none.low, 0.0, 1e-12);
+  EXPECT_NEAR(none.high, z2 / (1000.0 + z2), 1e-12);
+  EXPECT_NEAR(all.low, 1.0 - none.high, 1e-12);
+  EXPECT_NEAR(all.high, 1.0, 1e-12);
+  const ShareInterval half = wilson_interval(5, 10);
+  EXPECT_NEAR(half.low + half.high, 1.0, 1e-12);
+  EXPECT_NEAR(half.low, 0.2366, 1e-4);
+  EXPECT_TRUE(std::isnan(wilson_interval(0, 0).low));
+}
+
 TEST(LineScore, TheMirroredBranchIsTheSameLine) {
   LineScore score;
   score.add(canonical_line(100.0, radians(90.0)), canonical_line(-100.0, radians(-89.5)));
@@ -73,7 +86,20 @@ TEST(LineEvaluation, StopsWhenToldTo) {
   EXPECT_EQ(rows[0].score.frames(), 1);
 }
 
+TEST(LineEvaluation, ShowsAsManyFramesWithoutALineAsAskedAtTheLevelsAskedFor) {
+  const auto rows =
+      evaluate_lines({.frames = 3, .methods = {"centroid"}, .levels = {"harsh"}, .empty_share = 1.0}, go_on);
+  ASSERT_EQ(rows.size(), 2u);  // two sizes
+  for (const LineEvaluationRow& row : rows) {
+    EXPECT_EQ(row.level, FrameLevel::harsh);
+    EXPECT_EQ(row.score.frames_without_line, 3);
+    EXPECT_EQ(row.score.frames_with_line, 0);
+  }
+}
+
 TEST(LineEvaluation, RefusesWhatItCannotDo) {
+  EXPECT_THROW(evaluate_lines({.frames = 1, .levels = {"filthy"}}, go_on), std::invalid_argument);
+  EXPECT_THROW(evaluate_lines({.frames = 1, .empty_share = 1.1}, go_on), std::invalid_argument);
   EXPECT_THROW(evaluate_lines({.frames = 0}, go_on), std::invalid_argument);
   EXPECT_THROW(evaluate_lines({.frames = 1, .methods = {"hough"}}, go_on), std::invalid_argument);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string_view>
 
 #include "apps/config/input_error.h"
 
@@ -24,6 +25,28 @@ TEST(ImageFile, ReadsColourAsBgr) {
   ASSERT_EQ(image.size(), cv::Size(2, 1));
   EXPECT_EQ(image.at<cv::Vec3b>(0, 0), cv::Vec3b(0, 0, 255));
   EXPECT_EQ(image.at<cv::Vec3b>(0, 1), cv::Vec3b(128, 0, 0));
+}
+
+/// A grey JPEG picture of 16×16 px.
+std::string jpeg() {
+  const std::string_view digits =
+      "ffd8ffe000104a46494600010100000100010000ffdb004300100b0c0e0c0a100e0d0e1211101318281a181616"
+      "183123251d283a333d3c3933383740485c4e404457453738506d51575f626768673e4d71797064785c656763ff"
+      "c0000b080010001001011100ffc4001500010100000000000000000000000000000002ffc4001a100000070000"
+      "0000000000000000000000000103053582b2ffda0008010100003f009689246d93077925ab920689246d930779"
+      "25ab921fffd9";
+  std::string bytes;
+  for (std::size_t k = 0; k < digits.size(); k += 2)
+    bytes += static_cast<char>(std::stoi(std::string(digits.substr(k, 2)), nullptr, 16));
+  return bytes;
+}
+
+TEST(ImageFile, RefusesAJpegFileThatIsCutShort) {
+  const std::string whole = jpeg();
+  EXPECT_EQ(read_image(written("whole.jpg", whole)).size(), cv::Size(16, 16));
+  EXPECT_EQ(read_image(written("more.jpg", whole + "\xFF\xDA and more")).size(), cv::Size(16, 16));
+  EXPECT_THROW(read_image(written("cut.jpg", whole.substr(0, whole.size() - 12))), InputError);
+  EXPECT_THROW(read_image(written("end.jpg", whole.substr(0, whole.size() - 2))), InputError);
 }
 
 TEST(ImageFile, KeepsGreyGrey) {

@@ -16,7 +16,10 @@ struct Scene {
   cv::Vec3d paint_bgr{40.0, 190.0, 225.0};
   double light_from = 1.0, light_to = 1.0;  ///< from the left border to the right one
   double joints_every_m = 0.0;              ///< dark joints, 4 mm wide, between tiles of this size; 0: none
+  double planks_m = 0.0;                    ///< width of planks of wood across x; 0: none
+  double plank_tone = 0.0;                  ///< share by which planks are lighter or darker
   double shadow = 1.0;                      ///< light left in the upper right corner, a soft edge
+  double leg_shadow = 1.0;                  ///< light left in the shadows of two legs of a chair
   double glare = 0.0;                       ///< light added in a soft patch in the lower left, 255 = 1
   double noise = 2.0;                       ///< amplitude, in levels
   double texture = 0.0;                     ///< of the floor, in levels, in patches of about 3 cm
@@ -64,10 +67,28 @@ inline bool on_joint(const Eigen::Vector2d& p, double every_m) {
   return near(p.x()) || near(p.y());
 }
 
+/// Bands of 0.04 of the width that cross, with edges of 0.012.
+inline double leg_shadow_at(double u, double v) {
+  const auto band = [](double from_middle) {
+    return std::clamp((0.02 - std::abs(from_middle)) / 0.012 + 0.5, 0.0, 1.0);
+  };
+  return std::max(band(u - 0.3 - 0.2 * v), band(0.9 * v + 0.3 * u - 0.6));
+}
+
 inline double light_at(const Scene& scene, double u, double v) {
   const double across = scene.light_from + (scene.light_to - scene.light_from) * u;
   const double into_shadow = std::clamp((u - v - 0.2) / 0.1, 0.0, 1.0);
-  return across * (1.0 - (1.0 - scene.shadow) * into_shadow);
+  return across * (1.0 - (1.0 - scene.shadow) * into_shadow) *
+         (1.0 - (1.0 - scene.leg_shadow) * leg_shadow_at(u, v));
+}
+
+/// Planks along y of tones of their own, each three of its widths and more long.
+inline double plank_tone_at(const Scene& scene, const Eigen::Vector2d& p) {
+  if (scene.planks_m <= 0.0) return 1.0;
+  const double row = std::floor(p.x() / scene.planks_m);
+  const auto of = static_cast<std::int64_t>(row);
+  const double piece = std::floor(p.y() / (6.0 * scene.planks_m) + 0.5 * hashed(of, 7, scene.seed));
+  return 1.0 + scene.plank_tone * hashed(of, static_cast<std::int64_t>(piece), scene.seed);
 }
 
 /// The picture that the camera of `geometry` takes at a pose.
@@ -81,6 +102,7 @@ inline cv::Mat photograph(const MaskGeometry& geometry, const Pose& pose, const 
     cv::Vec3d color = floor.covers(p) ? scene.paint_bgr : scene.floor_bgr;
     if (!floor.covers(p)) {
       if (on_joint(p, scene.joints_every_m)) color *= 0.35;
+      color *= plank_tone_at(scene, p);
       const double grain = scene.texture * value_noise(p.x() / 0.03, p.y() / 0.03, scene.seed);
       color += cv::Vec3d(grain, grain, grain);
     }

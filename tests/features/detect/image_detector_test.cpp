@@ -161,6 +161,63 @@ TEST(ImageDetector, SeesNoLineOnABareFloor) {
   }
 }
 
+TEST(ImageDetector, FindsAStripeThatCoversMostOfTheView) {
+  const MaskGeometry geometry = assumed_geometry(320, 240);
+  for (const LineColor color : kLineColors) {
+    for (const double width_m : {0.5, 0.6}) {  // of 1.0 m in view
+      for (const double heading_rad : {-0.15, 0.0, 0.1}) {
+        const Pose pose{.y_m = 0.03, .heading_rad = heading_rad};
+        const auto seen =
+            ImageDetector().detect(photograph(geometry, pose, along(0.0, width_m), scene_of(color)));
+        ASSERT_FALSE(seen.lines.empty()) << name(color) << width_m << heading_rad;
+        EXPECT_EQ(seen.color, color) << width_m << heading_rad;
+        SCOPED_TRACE(std::string(name(color)) + " " + std::to_string(width_m) + " " +
+                     std::to_string(heading_rad));
+        expect_same_line(seen.lines.front(), true_line(geometry, pose, 0.0), 3.0, 1.0);
+      }
+    }
+  }
+}
+
+TEST(ImageDetector, FindsLinesOfEightPixels) {
+  const MaskGeometry geometry = assumed_geometry(640, 480);
+  const Pose pose{.y_m = 0.03, .heading_rad = 0.2};
+  for (const LineColor color : kLineColors) {
+    const auto seen = ImageDetector().detect(photograph(geometry, pose, along(0.0, 0.0125), scene_of(color)));
+    ASSERT_FALSE(seen.lines.empty()) << name(color);
+    EXPECT_EQ(seen.color, color);
+    expect_same_line(seen.lines.front(), true_line(geometry, pose, 0.0), 2.0, 0.5);
+  }
+}
+
+TEST(ImageDetector, FindsThinLinesWithAHueInLargePictures) {
+  const MaskGeometry geometry = assumed_geometry(1280, 720);
+  const Pose pose{.y_m = 0.03, .heading_rad = 0.2};
+  for (const LineColor color : {LineColor::yellow, LineColor::red}) {
+    // 0.42 % of the width: 5.3 px here, 8 px of 1920.
+    const auto seen = ImageDetector().detect(photograph(geometry, pose, along(0.0, 0.0042), scene_of(color)));
+    ASSERT_FALSE(seen.lines.empty()) << name(color);
+    EXPECT_EQ(seen.color, color);
+    expect_same_line(seen.lines.front(), true_line(geometry, pose, 0.0), 2.0, 0.5);
+    EXPECT_NEAR(seen.lines.front().width_px, 5.4, 3.0);  // the mask is filtered
+  }
+}
+
+TEST(ImageDetector, SeesNoLineInShadowsOfAChairNorInPlanks) {
+  const MaskGeometry geometry = assumed_geometry(320, 240);
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Scene chair = scene_of(seed % 2 == 0 ? LineColor::black : LineColor::white), wood = chair;
+    chair.leg_shadow = 0.7;
+    chair.texture = 4.0;
+    wood.planks_m = 0.12;
+    wood.plank_tone = 0.17;
+    chair.seed = wood.seed = seed;
+    const Pose pose{.heading_rad = 0.5 * static_cast<double>(seed)};
+    EXPECT_TRUE(ImageDetector().detect(photograph(geometry, pose, {}, chair)).lines.empty()) << seed;
+    EXPECT_TRUE(ImageDetector().detect(photograph(geometry, pose, {}, wood)).lines.empty()) << seed;
+  }
+}
+
 TEST(ImageDetector, AnswersInPixelsOfTheImageAsGiven) {
   const MaskGeometry geometry = assumed_geometry(960, 720);
   const Pose pose{.x_m = 0.02, .y_m = 0.05, .heading_rad = 0.15};
