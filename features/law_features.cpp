@@ -20,7 +20,9 @@ LawFeatures LawFeatureExtractor::extract(const cv::Mat& bgr, const Segmentation&
   if (centroid_px) features.centroid = level(*centroid_px, used);
   if (line_detector_) features.lines = find_lines(bgr, segmentation.path, used);
   if (needs_.boundary_centres) {
-    const BoundaryCentres centres = boundary_centres(segmentation.path);
+    const PackedMask& path = segmentation.path;
+    const BoundaryCentres centres =
+        boundary_centres(path, carried_over(BoundaryOptions{}, path.width(), path.height()));
     if (centres.ahead) features.ahead = level(*centres.ahead, used);
     if (centres.behind) features.behind = level(*centres.behind, used);
   }

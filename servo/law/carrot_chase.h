@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "features/frame_features.h"
+
+namespace lineservo::servo {
+
+/// W_i and W_i+1 of lfpf in its pixels: forward, left of the image's centre p.
+struct CarrotPath {
+  Eigen::Vector2d behind_px;
+  Eigen::Vector2d ahead_px;
+};
+
+/// The way-points seen (lfpf §3.3.2). When only one is, the image's centre stands for the other: the vehicle
+/// then keeps to the bearing of what it sees. None when there is none, or both are one point.
+std::optional<CarrotPath> carrot_path(const features::LawFeatures& seen);
+
+/// lfpf Alg. 1 without its gain: ψ_d − ψ, how far to the left to turn so as to head for the point that lies δ
+/// pixels ahead on the line through the way-points. In (−π, π].
+double carrot_turn_rad(const CarrotPath& path, double delta_px);
+
+}  // namespace lineservo::servo

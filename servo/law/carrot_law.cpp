@@ -1,0 +1,19 @@
+#include "servo/law/carrot_law.h"
+
+#include "servo/law/carrot_chase.h"
+#include "servo/law/published_followers.h"
+
+namespace lineservo::servo {
+
+// u = κ (ψ_d − ψ) commands the yaw rate   (lfpf Alg. 1, line 11).
+Command CarrotLaw::follow(const Observation& observation, const FollowGoal& goal) {
+  const auto path = carrot_path(observation.features.law);
+  if (!path) return level_flight(goal);
+  AttitudeCommand command = level_flight(goal);
+  command.pitch_rad = features::radians(options_.pitch_deg) * goal.speed_m_s / options_.pitch_speed_m_s +
+                      speed_hold(observation, goal.speed_m_s, options_.speed_hold_rad_per_m_s);
+  command.yaw_rate_rad_s = options_.kappa_per_s * carrot_turn_rad(*path, options_.delta_px);
+  return command;
+}
+
+}  // namespace lineservo::servo
