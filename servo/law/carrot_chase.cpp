@@ -8,8 +8,20 @@
 namespace lineservo::servo {
 namespace {
 
-bool is_seen(const std::optional<features::LevelPoint>& p) {
-  return p && p->vector().allFinite();
+using features::LevelPoint;
+
+struct Ends {
+  std::optional<LevelPoint> behind, ahead;
+};
+
+Ends ends_in_view(const Observation& o) {
+  if (on_plain_line(o)) return {o.features.law.behind, o.features.law.ahead};
+  if (const features::LineFeature* line = line_to_follow(o)) return {line->begin, line->end};
+  return {};
+}
+
+Eigen::Vector2d px_or_centre(const std::optional<LevelPoint>& p) {
+  return p && p->vector().allFinite() ? published_px(*p) : Eigen::Vector2d::Zero();
 }
 
 double direction(const Eigen::Vector2d& v) {
@@ -18,10 +30,9 @@ double direction(const Eigen::Vector2d& v) {
 
 }  // namespace
 
-std::optional<CarrotPath> carrot_path(const features::LawFeatures& seen) {
-  CarrotPath path{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
-  if (is_seen(seen.behind)) path.behind_px = published_px(*seen.behind);
-  if (is_seen(seen.ahead)) path.ahead_px = published_px(*seen.ahead);
+std::optional<CarrotPath> carrot_path(const Observation& observation) {
+  const Ends ends = ends_in_view(observation);
+  const CarrotPath path{px_or_centre(ends.behind), px_or_centre(ends.ahead)};
   if ((path.ahead_px - path.behind_px).norm() < 1.0) return std::nullopt;
   return path;
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "features/frame_features.h"
+#include "servo/law/observation.h"
 
 namespace lineservo::servo {
 
@@ -13,9 +13,10 @@ struct CarrotPath {
   Eigen::Vector2d ahead_px;
 };
 
-/// The way-points seen (lfpf §3.3.2). When only one is, the image's centre stands for the other: the vehicle
-/// then keeps to the bearing of what it sees. None when there is none, or both are one point.
-std::optional<CarrotPath> carrot_path(const features::LawFeatures& seen);
+/// The way-points seen (lfpf §3.3.2); over a junction, where the boundary shows its arms as well, the ends of
+/// the line that is followed. When only one is, the image's centre stands for the other: the vehicle then
+/// keeps to the bearing of what it sees. None when there is none, or both are one point.
+std::optional<CarrotPath> carrot_path(const Observation& observation);
 
 /// lfpf Alg. 1 without its gain: ψ_d − ψ, how far to the left to turn so as to head for the point that lies δ
 /// pixels ahead on the line through the way-points. In (−π, π].

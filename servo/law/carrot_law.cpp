@@ -7,7 +7,7 @@ namespace lineservo::servo {
 
 // u = κ (ψ_d − ψ) commands the yaw rate   (lfpf Alg. 1, line 11).
 Command CarrotLaw::follow(const Observation& observation, const FollowGoal& goal) {
-  const auto path = carrot_path(observation.features.law);
+  const auto path = carrot_path(observation);
   if (!path) return level_flight(goal);
   AttitudeCommand command = level_flight(goal);
   command.pitch_rad = features::radians(options_.pitch_deg) * goal.speed_m_s / options_.pitch_speed_m_s +

@@ -10,6 +10,8 @@ constexpr std::string_view kHeadingHeld =
     "the executive holds the heading on the line, in the place of a compass";
 constexpr std::string_view kTurnsOnLine = "the executive ends its turns on the line's angle";
 constexpr std::string_view kOurJunctions = "junctions by our recogniser";
+constexpr std::string_view kLedOverJunctions =
+    "over junctions it takes the line from our recogniser; its paper has none";
 constexpr std::string_view kSpeedHeld =
     "pitch in proportion to the wanted speed, held by the velocity estimate";
 constexpr std::string_view kRollTurned = "roll towards the line; printed with the other sign";
@@ -53,7 +55,7 @@ const std::vector<Controller>& controllers() {
        "stripe",
        {.line_method = "fitline", .tilt_corrected = false},
        0.09,
-       {kOurJunctions, kTurnsOnLine, kSpeedHeld, kRollTurned, kYawTurnedOut},
+       {kOurJunctions, kLedOverJunctions, kTurnsOnLine, kSpeedHeld, kRollTurned, kYawTurnedOut},
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> { return std::make_unique<LfpfLaw>(o.lfpf); }},
       {"carrot",
        "turns towards a point ahead on the line (lfpf Alg. 1)",
@@ -61,7 +63,7 @@ const std::vector<Controller>& controllers() {
        "stripe",
        {.line_method = "", .boundary_centres = true, .tilt_corrected = false},
        0.46,
-       {kOurJunctions, kTurnsOnLine, kSpeedHeld},
+       {kOurJunctions, kLedOverJunctions, kTurnsOnLine, kSpeedHeld},
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
          return std::make_unique<CarrotLaw>(o.carrot);
        }},
@@ -71,7 +73,7 @@ const std::vector<Controller>& controllers() {
        "stripe",
        {.line_method = "", .boundary_centres = true, .tilt_corrected = false},
        0.46,
-       {kOurJunctions, kTurnsOnLine, kSpeedHeld, kAlg2Read},
+       {kOurJunctions, kLedOverJunctions, kTurnsOnLine, kSpeedHeld, kAlg2Read},
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
          return std::make_unique<ImprovedCarrotLaw>(o.improved_carrot);
        }},

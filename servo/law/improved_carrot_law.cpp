@@ -19,7 +19,7 @@ using features::radians;
 //   pitch = 1° − 24° (1 − cos u)        no less than 0, which is reached at u = 17°
 // Both in proportion to the speed: "pitch refers to the velocity".
 Command ImprovedCarrotLaw::follow(const Observation& observation, const FollowGoal& goal) {
-  const auto path = carrot_path(observation.features.law);
+  const auto path = carrot_path(observation);
   if (!path) return level_flight(goal);
   const double turn_rad = carrot_turn_rad(*path, options_.delta_px);
   const double share = pitch_share(turn_rad);

@@ -11,14 +11,17 @@ using features::radians;
 
 namespace {
 
-/// The fitted line, unless it leads across the way: over a crossing the fit is of both stripes.
 const LineFeature* fitted_line(const Observation& o) {
   const std::vector<LineFeature>& lines = o.features.law.lines;
-  if (lines.empty()) return nullptr;
-  const LineFeature& line = lines.front();
-  const bool usable =
-      (line.begin.vector() + line.end.vector()).allFinite() && std::abs(line.theta_rad) <= kFollowable_rad;
-  return usable ? &line : nullptr;
+  return lines.empty() ? nullptr : &lines.front();
+}
+
+/// The law's own line; over a junction the fit would be of both stripes.
+const LineFeature* line_of(const Observation& o) {
+  const LineFeature* line = on_plain_line(o) ? fitted_line(o) : line_to_follow(o);
+  const bool usable = line && (line->begin.vector() + line->end.vector()).allFinite() &&
+                      std::abs(line->theta_rad) <= kFollowable_rad;
+  return usable ? line : nullptr;
 }
 
 }  // namespace
@@ -27,7 +30,7 @@ const LineFeature* fitted_line(const Observation& o) {
 // The evident intent is the line's direction off straight ahead, 90° − θ, to be turned out. LineFeature's θ
 // is that angle, clockwise positive; the yaw rate is counter-clockwise positive.
 Command LfpfLaw::follow(const Observation& observation, const FollowGoal& goal) {
-  const LineFeature* line = fitted_line(observation);
+  const LineFeature* line = line_of(observation);
   if (!line) return level_flight(goal);
   const double pitch = pitch_rad(*line, goal.speed_m_s) +
                        speed_hold(observation, goal.speed_m_s, options_.speed_hold_rad_per_m_s);

@@ -23,6 +23,12 @@ inline AttitudeCommand level_flight(const FollowGoal& goal) {
   return {0.0, 0.0, 0.0, goal.height_m};
 }
 
+/// Nothing but the line in view: no junction, no start marker. lfpf knows of neither. There its followers act
+/// on the line that the executive's recogniser leads along, in the place of their own feature.
+inline bool on_plain_line(const Observation& o) {
+  return o.features.code.smoothed == features::JunctionCode::straight;
+}
+
 /// Ours, not the paper's: pitch for the difference between the wanted and the estimated speed. The published
 /// pitch is as small as the error of the attitude estimate. 0 without an estimate or a gain.
 inline double speed_hold(const Observation& o, double speed_m_s, double gain_rad_per_m_s) {
