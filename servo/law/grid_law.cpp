@@ -38,7 +38,7 @@ Command GridLaw::follow(const Observation& observation, const FollowGoal& goal) 
   const double dt_s = step_s(observation);
   const auto line = vertical(observation, dt_s);
   AttitudeCommand command = beside(line, dt_s, goal);
-  if (line) command.pitch_rad = speed_pitch(observation, goal.speed_m_s);
+  if (line || !on_plain_line(observation)) command.pitch_rad = speed_pitch(observation, goal.speed_m_s);
   return command;
 }
 

@@ -20,8 +20,8 @@ using features::radians;
 // Both in proportion to the speed: "pitch refers to the velocity".
 Command ImprovedCarrotLaw::follow(const Observation& observation, const FollowGoal& goal) {
   const auto path = carrot_path(observation);
-  if (!path) return level_flight(goal);
-  const double turn_rad = carrot_turn_rad(*path, options_.delta_px);
+  if (!path && on_plain_line(observation)) return level_flight(goal);
+  const double turn_rad = path ? carrot_turn_rad(*path, options_.delta_px) : 0.0;
   const double share = pitch_share(turn_rad);
   const double scale = goal.speed_m_s / options_.pitch_speed_m_s;
   AttitudeCommand command = level_flight(goal);

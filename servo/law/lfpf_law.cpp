@@ -16,12 +16,16 @@ const LineFeature* fitted_line(const Observation& o) {
   return lines.empty() ? nullptr : &lines.front();
 }
 
-/// The law's own line; over a junction the fit would be of both stripes.
+const LineFeature kStraightAhead{};
+
+/// The law's own line. Over a junction, where the fit would be of both stripes, the one that is led along;
+/// when that is not in view either, straight on.
 const LineFeature* line_of(const Observation& o) {
   const LineFeature* line = on_plain_line(o) ? fitted_line(o) : line_to_follow(o);
   const bool usable = line && (line->begin.vector() + line->end.vector()).allFinite() &&
                       std::abs(line->theta_rad) <= kFollowable_rad;
-  return usable ? line : nullptr;
+  if (usable) return line;
+  return on_plain_line(o) ? nullptr : &kStraightAhead;
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ inline AttitudeCommand level_flight(const FollowGoal& goal) {
 }
 
 /// Nothing but the line in view: no junction, no start marker. lfpf knows of neither. There its followers act
-/// on the line that the executive's recogniser leads along, in the place of their own feature.
+/// on the line that the executive's recogniser leads along, in the place of their own feature, and without it
+/// go straight on.
 inline bool on_plain_line(const Observation& o) {
   return o.features.code.smoothed == features::JunctionCode::straight;
 }

@@ -55,6 +55,13 @@ TEST(CarrotLaw, WithoutWayPointsItKeepsLevel) {
   EXPECT_EQ(c.height_m, kFollowerGoal.height_m);
 }
 
+TEST(CarrotLaw, WithoutALineItGoesStraightOnOverAJunction) {
+  CarrotLaw law({});
+  const AttitudeCommand c = attitude(law, testing::empty_view(features::JunctionCode::start));
+  EXPECT_GT(c.pitch_rad, 0.0);
+  EXPECT_EQ(c.yaw_rate_rad_s, 0.0);
+}
+
 // With the drag D of the body and h δ / f metres to the carrot, s (s + D)(s + κ) + κ D v f / (h δ) has its
 // roots on the left as long as κ + D > v f / (h δ) (Routh): the default holds that at 0.46 m/s.
 TEST(CarrotLaw, TheDefaultGainIsStableAtThePublishedSpeed) {

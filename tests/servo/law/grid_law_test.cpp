@@ -123,6 +123,14 @@ TEST(GridLaw, WithoutALineItKeepsLevel) {
   EXPECT_EQ(attitude(law, view({horizontal(0.1)}, 2)).roll_rad, 0.0);
 }
 
+TEST(GridLaw, WithoutALineItGoesStraightOnOverAJunction) {
+  GridLaw law({});
+  const AttitudeCommand c = attitude(law, testing::empty_view(features::JunctionCode::start));
+  EXPECT_NEAR(c.pitch_rad, 0.0038, 1e-12);
+  EXPECT_EQ(c.roll_rad, 0.0);
+  EXPECT_EQ(c.yaw_rate_rad_s, 0.0);
+}
+
 TEST(GridLaw, ResetForgets) {
   GridLaw law({}), fresh({});
   for (int k = 0; k < 10; ++k) attitude(law, view({vertical(0.1 - 0.01 * k)}, k));

@@ -82,5 +82,13 @@ TEST(ImprovedCarrotLaw, WithoutWayPointsItKeepsLevel) {
   EXPECT_EQ(c.height_m, kFollowerGoal.height_m);
 }
 
+TEST(ImprovedCarrotLaw, WithoutALineItGoesStraightOnOverAJunction) {
+  ImprovedCarrotLaw law({});
+  const AttitudeCommand c = attitude(law, testing::empty_view(features::JunctionCode::start));
+  EXPECT_GT(c.pitch_rad, 0.0);
+  EXPECT_EQ(c.roll_rad, 0.0);
+  EXPECT_EQ(c.yaw_rate_rad_s, 0.0);
+}
+
 }  // namespace
 }  // namespace lineservo::servo

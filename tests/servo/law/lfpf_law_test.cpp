@@ -83,6 +83,14 @@ TEST(LfpfLaw, OverAJunctionItGoesByTheLineThatIsLedAlong) {
   EXPECT_EQ(attitude(law, o).roll_rad, 0.0);
 }
 
+TEST(LfpfLaw, WithoutALineItGoesStraightOnOverAJunction) {
+  LfpfLaw law({});
+  const AttitudeCommand c = attitude(law, testing::empty_view(JunctionCode::start));
+  EXPECT_NEAR(c.pitch_rad, attitude(law, forward_line(0.0)).pitch_rad, 1e-12);
+  EXPECT_NEAR(c.roll_rad, 0.0, 1e-12);
+  EXPECT_EQ(c.yaw_rate_rad_s, 0.0);
+}
+
 void expect_level(const AttitudeCommand& c) {
   EXPECT_EQ(c.roll_rad, 0.0);
   EXPECT_EQ(c.pitch_rad, 0.0);
