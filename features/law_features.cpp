@@ -18,9 +18,11 @@ LawFeatures LawFeatureExtractor::extract(const cv::Mat& bgr, const Segmentation&
   const LevelView& used = needs_.tilt_corrected ? view : LevelView();
   LawFeatures features;
   if (centroid_px) features.centroid = level(*centroid_px, used);
-  if (line_detector_) features.lines = find_lines(bgr, segmentation.path, used);
+  if (line_detector_) features.lines = find_lines(bgr, segmentation.paint, used);
   if (needs_.boundary_centres) {
-    const BoundaryCentres centres = boundary_centres(segmentation.path);
+    const PackedMask& path = segmentation.paint;
+    const BoundaryCentres centres =
+        boundary_centres(path, carried_over(BoundaryOptions{}, path.width(), path.height()));
     if (centres.ahead) features.ahead = level(*centres.ahead, used);
     if (centres.behind) features.behind = level(*centres.behind, used);
   }

@@ -23,7 +23,8 @@ struct FeatureNeeds {
   bool tilt_corrected = true;
 };
 
-/// Fills LawFeatures from a frame and its mask. Keeps buffers and the last direction of the target point.
+/// Fills LawFeatures from a frame and its masks: lines and boundary centres from the paint, which runs on
+/// under the start marker. Keeps buffers and the last direction of the target point.
 class LawFeatureExtractor {
  public:
   /// Throws std::invalid_argument for a line method that there is not.

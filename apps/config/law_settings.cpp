@@ -28,6 +28,10 @@ void SettingsTable::interaction(std::string key, servo::InteractionMatrix& value
 void SettingsTable::bind_laws(servo::LawOptions& l) {
   bind_ibvs(l.ibvs);
   bind_pid(l.pid);
+  bind_grid(l.grid);
+  bind_lfpf(l.lfpf);
+  bind_carrot(l.carrot);
+  bind_improved_carrot(l.improved_carrot);
 }
 
 void SettingsTable::bind_ibvs(servo::IbvsLineOptions& o) {
@@ -48,6 +52,50 @@ void SettingsTable::bind_pid(servo::PidOptions& o) {
   number("servo.pid.kd", o.kd, 0.0, 100.0);
   number("servo.pid.integral_limit", o.integral_limit, 0.0, 1000.0);
   number("servo.pid.dead_zone", o.dead_zone, 0.0, 1.0);
+}
+
+void SettingsTable::pid_gains(const std::string& prefix, servo::PidGains& g) {
+  number(prefix + "_kp", g.kp, 0.0, 100.0);
+  number(prefix + "_ki", g.ki, 0.0, 100.0);
+  number(prefix + "_kd", g.kd, 0.0, 100.0);
+}
+
+void SettingsTable::bind_grid(servo::GridOptions& o) {
+  pid_gains("servo.grid.roll", o.roll);
+  pid_gains("servo.grid.pitch", o.pitch);
+  pid_gains("servo.grid.yaw", o.yaw);
+  number("servo.grid.tilt_limit_deg", o.tilt_limit_deg, 0.01, 30.0);
+  number("servo.grid.yaw_rate_limit_deg_s", o.yaw_rate_limit_deg_s, 0.01, 180.0);
+  number("servo.grid.trim_rad_per_m_s", o.trim_rad_per_m_s, 0.0, 1.0);
+}
+
+void SettingsTable::bind_lfpf(servo::LfpfOptions& o) {
+  number("servo.lfpf.c1_deg", o.c1_deg, 0.0, 30.0);
+  number("servo.lfpf.c2_deg", o.c2_deg, 0.0, 30.0);
+  number("servo.lfpf.b_deg", o.b_deg, 0.0, 30.0);
+  number("servo.lfpf.sigmoid_px", o.sigmoid_px, 1.0, 10000.0);
+  number("servo.lfpf.pitch_speed_m_s", o.pitch_speed_m_s, 0.001, 10.0);
+  number("servo.lfpf.yaw_gain_per_s", o.yaw_gain_per_s, 0.0, 20.0);
+  number("servo.lfpf.speed_hold_rad_per_m_s", o.speed_hold_rad_per_m_s, 0.0, 1.0);
+}
+
+void SettingsTable::bind_carrot(servo::CarrotOptions& o) {
+  number("servo.carrot.delta_px", o.delta_px, 1.0, 10000.0);
+  number("servo.carrot.kappa_per_s", o.kappa_per_s, 0.0, 20.0);
+  number("servo.carrot.pitch_deg", o.pitch_deg, 0.0, 30.0);
+  number("servo.carrot.pitch_speed_m_s", o.pitch_speed_m_s, 0.001, 10.0);
+  number("servo.carrot.speed_hold_rad_per_m_s", o.speed_hold_rad_per_m_s, 0.0, 1.0);
+}
+
+void SettingsTable::bind_improved_carrot(servo::ImprovedCarrotOptions& o) {
+  number("servo.improved-carrot.c1", o.c1, 0.0, 10.0);
+  number("servo.improved-carrot.c2", o.c2, 0.0, 10.0);
+  number("servo.improved-carrot.delta_px", o.delta_px, 1.0, 10000.0);
+  number("servo.improved-carrot.channel_us", o.channel_us, 1.0, 10000.0);
+  number("servo.improved-carrot.kappa_per_s", o.kappa_per_s, 0.0, 20.0);
+  number("servo.improved-carrot.pitch_deg", o.pitch_deg, 0.01, 30.0);
+  number("servo.improved-carrot.pitch_speed_m_s", o.pitch_speed_m_s, 0.001, 10.0);
+  number("servo.improved-carrot.speed_hold_rad_per_m_s", o.speed_hold_rad_per_m_s, 0.0, 1.0);
 }
 
 }  // namespace lineservo::apps

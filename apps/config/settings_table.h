@@ -36,6 +36,10 @@ class SettingsTable {
   void bind_laws(servo::LawOptions& l);
   void bind_ibvs(servo::IbvsLineOptions& o);
   void bind_pid(servo::PidOptions& o);
+  void bind_grid(servo::GridOptions& o);
+  void bind_lfpf(servo::LfpfOptions& o);
+  void bind_carrot(servo::CarrotOptions& o);
+  void bind_improved_carrot(servo::ImprovedCarrotOptions& o);
   void bind_executive(servo::ExecutiveOptions& e);
 
   void number(std::string key, double& value, double low, double high);
@@ -45,6 +49,7 @@ class SettingsTable {
   void yes_no(std::string key, bool& value);
   void interaction(std::string key, servo::InteractionMatrix& value);
   void gain(const std::string& prefix, servo::AdaptiveGain& gain);
+  void pid_gains(const std::string& prefix, servo::PidGains& g);
 
   std::vector<Setting> table_;
 };

@@ -9,6 +9,15 @@ namespace {
 constexpr std::string_view kHeadingHeld =
     "the executive holds the heading on the line, in the place of a compass";
 constexpr std::string_view kTurnsOnLine = "the executive ends its turns on the line's angle";
+constexpr std::string_view kOurJunctions = "junctions by our recogniser";
+constexpr std::string_view kLedOverJunctions =
+    "over junctions it takes the line from our recogniser; its paper has none";
+constexpr std::string_view kSpeedHeld =
+    "pitch in proportion to the wanted speed, held by the velocity estimate";
+constexpr std::string_view kRollTurned = "roll towards the line; printed with the other sign";
+constexpr std::string_view kYawTurnedOut = "the line's angle is turned out at a rate, not commanded";
+constexpr std::string_view kAlg2Read = "roll and pitch of Alg. 2 as its text means them";
+constexpr std::string_view kGainsOurs = "gains by pole placement; the paper prints none";
 
 }  // namespace
 
@@ -32,6 +41,42 @@ const std::vector<Controller>& controllers() {
        0.1,
        {kHeadingHeld, kTurnsOnLine},
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> { return std::make_unique<PidLaw>(o.pid); }},
+      {"grid",
+       "PID on roll, pitch and yaw rate from filtered lines, hovers on the node (grid)",
+       {false, true},
+       "stripe",
+       {.line_method = "combined"},
+       0.0,
+       {kOurJunctions, kTurnsOnLine, kSpeedHeld, kGainsOurs},
+       [](const LawOptions& o) -> std::unique_ptr<FollowLaw> { return std::make_unique<GridLaw>(o.grid); }},
+      {"lfpf",
+       "attitude from the fitted line's midpoint and slope (lfpf Alg. 3)",
+       {false, true},
+       "stripe",
+       {.line_method = "fitline", .tilt_corrected = false},
+       0.09,
+       {kOurJunctions, kLedOverJunctions, kTurnsOnLine, kSpeedHeld, kRollTurned, kYawTurnedOut},
+       [](const LawOptions& o) -> std::unique_ptr<FollowLaw> { return std::make_unique<LfpfLaw>(o.lfpf); }},
+      {"carrot",
+       "turns towards a point ahead on the line (lfpf Alg. 1)",
+       {false, true},
+       "stripe",
+       {.line_method = "", .boundary_centres = true, .tilt_corrected = false},
+       0.46,
+       {kOurJunctions, kLedOverJunctions, kTurnsOnLine, kSpeedHeld},
+       [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
+         return std::make_unique<CarrotLaw>(o.carrot);
+       }},
+      {"improved-carrot",
+       "the same with roll and less pitch in a turn (lfpf Alg. 2)",
+       {false, true},
+       "stripe",
+       {.line_method = "", .boundary_centres = true, .tilt_corrected = false},
+       0.46,
+       {kOurJunctions, kLedOverJunctions, kTurnsOnLine, kSpeedHeld, kAlg2Read},
+       [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
+         return std::make_unique<ImprovedCarrotLaw>(o.improved_carrot);
+       }},
   };
   return kControllers;
 }

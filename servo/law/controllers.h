@@ -6,7 +6,11 @@
 #include <vector>
 
 #include "features/law_features.h"
+#include "servo/law/carrot_law.h"
+#include "servo/law/grid_law.h"
 #include "servo/law/ibvs_line_law.h"
+#include "servo/law/improved_carrot_law.h"
+#include "servo/law/lfpf_law.h"
 #include "servo/law/pid_law.h"
 
 namespace lineservo::servo {
@@ -15,6 +19,10 @@ namespace lineservo::servo {
 struct LawOptions {
   IbvsLineOptions ibvs;
   PidOptions pid;
+  GridOptions grid;
+  LfpfOptions lfpf;
+  CarrotOptions carrot;
+  ImprovedCarrotOptions improved_carrot;
 };
 
 /// What one controller is, for the command line and for the executive.

@@ -58,8 +58,36 @@ TEST(BoundaryCentres, LeavesOutNoiseAndTheMiddle) {
   EXPECT_FALSE(boundary_centres(path).ahead);
   path.set(19, 0);
   EXPECT_TRUE(boundary_centres(path).ahead);
-  EXPECT_THROW(boundary_centres(path, {.band_px = 0}), std::invalid_argument);
-  EXPECT_THROW(boundary_centres(path, {.band_px = 76}), std::invalid_argument);
+}
+
+TEST(BoundaryCentres, ABandOutsideTheImageIsRefused) {
+  const PackedMask path(200, 150);
+  EXPECT_THROW(boundary_centres(path, {.band_x_px = 0}), std::invalid_argument);
+  EXPECT_THROW(boundary_centres(path, {.band_x_px = 101}), std::invalid_argument);
+  EXPECT_THROW(boundary_centres(path, {.band_y_px = 0}), std::invalid_argument);
+  EXPECT_THROW(boundary_centres(path, {.band_y_px = 76}), std::invalid_argument);
+  EXPECT_NO_THROW(boundary_centres(path, {.band_x_px = 100, .band_y_px = 75}));
+}
+
+TEST(BoundaryCentres, TheBandsDifferAlongTheAxes) {
+  PackedMask path(200, 150);
+  paint(path, 90, 0, 110, 150);
+  const BoundaryCentres centres = boundary_centres(path, {.band_x_px = 10, .band_y_px = 30});
+  EXPECT_DOUBLE_EQ(centres.ahead->y, 14.5);
+  EXPECT_DOUBLE_EQ(centres.behind->y, 134.5);
+}
+
+// 20 px of 640 are 12.5 of 400, 20 px of 480 are 16.7 of 400; an area scales with both.
+TEST(BoundaryCentres, TheBandIsCarriedOverToAnUnevenMask) {
+  const BoundaryOptions same = carried_over({}, 640, 480);
+  EXPECT_EQ(same.band_x_px, 20);
+  EXPECT_EQ(same.band_y_px, 20);
+  EXPECT_EQ(same.least_pixels, 20);
+  const BoundaryOptions resized = carried_over({}, 400, 400);
+  EXPECT_EQ(resized.band_x_px, 13);
+  EXPECT_EQ(resized.band_y_px, 17);
+  EXPECT_EQ(resized.least_pixels, 10);
+  EXPECT_EQ(carried_over({}, 16, 16).band_x_px, 1);
 }
 
 }  // namespace

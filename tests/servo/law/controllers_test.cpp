@@ -27,6 +27,18 @@ TEST(Controllers, OursDocksAndThePublishedOneStopsOnTheCode) {
   EXPECT_TRUE(find_controller("ibvs").traits.servos_on_node);
   EXPECT_FALSE(find_controller("pid").traits.servos_on_node);
   EXPECT_EQ(find_controller("pid").junction_method, "fpd");
+  for (const char* name : {"grid", "lfpf", "carrot", "improved-carrot"}) {
+    EXPECT_FALSE(find_controller(name).traits.servos_on_node) << name;
+    EXPECT_TRUE(find_controller(name).traits.steers_heading) << name;
+    EXPECT_FALSE(find_controller(name).adaptations.empty()) << name;
+  }
+}
+
+TEST(Controllers, SeeWhatTheirPapersSaw) {
+  EXPECT_EQ(find_controller("lfpf").needs.line_method, "fitline");
+  EXPECT_FALSE(find_controller("lfpf").needs.tilt_corrected);
+  EXPECT_TRUE(find_controller("carrot").needs.boundary_centres);
+  EXPECT_TRUE(find_controller("grid").needs.tilt_corrected);
 }
 
 TEST(Controllers, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
