@@ -278,7 +278,9 @@ TEST_F(ProgramTest, ItsConfigRepeatsTheFlight) {
 // The layout and the conditions lie beside the config: neither the originals nor the current folder matter.
 TEST_F(ProgramTest, AResultsFolderRepeatsItsFlightFromAnywhere) {
   const fs::path calm = temp_.write("calm.yaml", "speed_m_s: 0.4\n");
-  ASSERT_EQ(run(short_flight({"--out", path("one"), "--conditions", calm})).exit_code, 0);
+  std::vector<std::string> arguments = short_flight({"--out", path("one")});
+  *std::find(arguments.begin(), arguments.end(), "ideal") = calm.string();
+  ASSERT_EQ(run(arguments).exit_code, 0);
   const auto before = nlohmann::json::parse(read_text(path("one/summary.json")));
   fs::remove(path("short.yaml"));
   fs::remove(calm);
@@ -326,7 +328,7 @@ TEST_F(ProgramTest, AFullOutputIsToldInOneLine) {
     if (!tells_progress) {
       EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
     }
-    EXPECT_THAT(ran.err, HasSubstr("lineservo: standard output cannot be written: No space left")) << arguments.front();
+    EXPECT_THAT(ran.err, HasSubstr("lineservo: standard output cannot be written")) << arguments.front();
   }
 }
 
@@ -346,7 +348,7 @@ TEST_F(ProgramTest, TrainingDoesNotReplaceWhatIsNoFile) {
   fs::create_directories(path("folder"));
   EXPECT_THAT(refusal(to("/dev/null")), HasSubstr("/dev/null"));
   EXPECT_THAT(refusal(to(path("folder"))), HasSubstr("it is a folder"));
-  EXPECT_THAT(refusal(to("")), HasSubstr("--out"));
+  EXPECT_THAT(refusal(to("")), HasSubstr("it is a folder"));
   EXPECT_EQ(run(to(path("new.yaml"))).exit_code, 0);
   EXPECT_GT(fs::file_size(path("new.yaml")), 100u);
 }

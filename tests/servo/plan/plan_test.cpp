@@ -176,9 +176,10 @@ TestFloor fork(const std::vector<double>& angles_deg) {
   floor.add("start", {0.0, 0.0});
   floor.add("fork", {2.0, 0.0});
   floor.join("start", "fork");
-  for (const double angle_deg : angles_deg) {
-    const std::string name = "n" + std::to_string(&angle_deg - angles_deg.data());
-    floor.add(name, {2.0 + 2.0 * std::cos(radians(angle_deg)), 2.0 * std::sin(radians(angle_deg))});
+  for (std::size_t k = 0; k < angles_deg.size(); ++k) {
+    const std::string name = "n" + std::to_string(k);
+    const double angle_rad = radians(angles_deg[k]);
+    floor.add(name, {2.0 + 2.0 * std::cos(angle_rad), 2.0 * std::sin(angle_rad)});
     floor.join("fork", name);
   }
   return floor;
@@ -211,7 +212,7 @@ TEST(Plan, AWayThatBendsIsStraightOnOrATurn) {
 }
 
 TEST(Plan, ALineThatTurnsSharplyBetweenNodesIsRefused) {
-  Topology topology = fork({0.0}).topology();
+  Topology topology = fork({0.0, 90.0}).topology();
   topology.edges[1].sharpest_corner_rad = radians(14.0);
   EXPECT_NO_THROW(compile(topology, 2, "node:n0"));
   topology.edges[1].sharpest_corner_rad = radians(30.0);
