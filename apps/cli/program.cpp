@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 
+#include "apps/cli/compare_command.h"
 #include "apps/cli/detect_command.h"
 #include "apps/cli/evaluate_command.h"
 #include "apps/cli/fly_command.h"
@@ -61,6 +62,7 @@ int run(int argc, char** argv) try {
   app.require_subcommand(1);
   int exit_code = kDone;
   add_fly_command(app, exit_code);
+  add_compare_command(app, exit_code);
   add_detect_command(app, exit_code);
   add_evaluate_command(app, exit_code);
   add_list_commands(app);
