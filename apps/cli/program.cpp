@@ -16,6 +16,7 @@
 #include "apps/cli/list_commands.h"
 #include "apps/cli/test_command.h"
 #include "apps/cli/train_command.h"
+#include "apps/cli/tune_command.h"
 #include "apps/config/input_error.h"
 #include "apps/version.h"
 
@@ -68,6 +69,7 @@ int run(int argc, char** argv) try {
   add_list_commands(app);
   add_test_command(app);
   add_train_command(app);
+  add_tune_command(app, exit_code);
   return parse_and_run(app, argc, argv, exit_code);
 } catch (const InputError& error) {
   complain(error.what());

@@ -195,7 +195,10 @@ TEST_F(ProgramTest, RefusesComparisonsThatAreNone) {
   for (const char* bad : {"0", "-1", "x"}) {
     EXPECT_THAT(refusal({"compare", std::string("--runs=") + bad}), HasSubstr("--runs"));
     EXPECT_THAT(refusal({"compare", std::string("--jobs=") + bad}), HasSubstr("--jobs"));
+    EXPECT_THAT(refusal({"tune", "pid", std::string("--budget=") + bad}), HasSubstr("--budget"));
   }
+  EXPECT_THAT(refusal({"tune", "lqr"}), HasSubstr("lqr"));
+  EXPECT_THAT(refusal({"tune"}), HasSubstr("CONTROLLER"));
 }
 
 TEST_F(ProgramTest, ComparesAndWritesItsThreeFiles) {
@@ -227,7 +230,7 @@ TEST_F(ProgramTest, HelpIsEverywhereAndQuick) {
   for (const char* word : {"TARGET", "--controller", "--layout", "--conditions", "--speed", "--seed", "--set",
                            "--config", "--land", "--explain", "--out", "--json"})
     EXPECT_THAT(fly.out, HasSubstr(word));
-  for (const char* command : {"fly", "compare", "layouts", "controllers", "conditions", "test"}) {
+  for (const char* command : {"fly", "compare", "tune", "layouts", "controllers", "conditions", "test"}) {
     EXPECT_THAT(run({"--help"}).out, HasSubstr(command));
     EXPECT_EQ(run({command, "--help"}).exit_code, 0) << command;
   }
