@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/interrupt.h"
+#include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
 #include "apps/cli/study_progress.h"
 #include "apps/compare/parallel.h"
@@ -92,10 +93,10 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   Arguments& a = *arguments;
   CLI::App* command = app.add_subcommand("tune", "search the parameters of laws, each with the same budget");
   command->add_option("CONTROLLER", a.controllers, "the laws to tune")->required();
-  command->add_option("--budget", a.options.budget, "points, each flown by all training flights (default 60)")
-      ->check(CLI::Range(1, 100000));
-  command->add_option("--jobs", a.options.jobs, "flights at a time (default: as many as cores)")
-      ->check(CLI::Range(1, 1024));
+  add_whole_option(*command, "--budget", a.options.budget, 1, 100000,
+                   "points, each flown by all training flights");
+  add_whole_option(*command, "--jobs", a.options.jobs, 1, 1024,
+                   "flights at a time, as many as cores if not given");
   command->add_option("--out", a.out, "folder for CONTROLLER.yaml of each, and tuning.json");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

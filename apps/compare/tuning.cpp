@@ -17,9 +17,10 @@ namespace {
 
 constexpr double kLargestFactor = 8.0;  // of a parameter, about its published value
 
-// Saturations and guards, and how the image is cut: they say when a law may act, not how well it follows.
-constexpr std::array<std::string_view, 6> kNotTuned = {"limit",      "coast_s", "view_margin",
-                                                       "view_angle", "width",   "max_"};
+// Saturations and guards, how the image is cut, and the pace in bends, which no training flight has: they say
+// when a law may act, not how well it follows.
+constexpr std::array<std::string_view, 7> kNotTuned = {"limit", "coast_s", "view_margin", "view_angle",
+                                                       "width", "bend_",   "max_"};
 
 struct TrainingTrack {
   const char* instruction;

@@ -13,7 +13,7 @@ namespace {
 
 /// All of it goes into JSON and YAML, which hold UTF-8 alone.
 void check_text(const FlightRequest& request) {
-  for (const auto& [what, text] : {std::pair{"instruction", &request.instruction},
+  for (const auto& [what, text] : {std::pair{"TARGET", &request.instruction},
                                    {"--layout", &request.layout},
                                    {"--conditions", &request.conditions}}) {
     if (!is_utf8(*text)) throw InputError(fmt::format("{} '{}': must be UTF-8 text", what, *text));
