@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 #include <optional>
 
+#include "apps/cli/interrupt.h"
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
 #include "apps/evaluate/line_evaluation.h"
@@ -18,8 +18,6 @@
 namespace lineservo::apps {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
 struct Arguments {
   LineEvaluationOptions options;
   std::optional<std::string> out;
@@ -29,16 +27,16 @@ struct Arguments {
 // On a terminal one line that is written over; false ends the evaluation.
 bool show_progress(double share) {
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\revaluate lines: {:3.0f} % ", 100.0 * share);
-  return interrupted == 0;
+  return !interrupted();
 }
 
 int evaluate(const Arguments& arguments) {
   std::optional<ResultFolder> folder;
   if (arguments.out) folder.emplace(*arguments.out);
-  std::signal(SIGINT, [](int) { interrupted = 1; });
+  watch_for_interrupt();
   const std::vector<LineEvaluationRow> rows = evaluate_lines(arguments.options, show_progress);
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
-  if (interrupted) return kFailed;
+  if (interrupted()) return kFailed;
   const std::string json = json_text(lines_json(arguments.options, rows), 2);
   if (folder) {
     folder->write("evaluation.csv", lines_csv(rows));

@@ -3,20 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <memory>
 #include <optional>
 
 #include "apps/cli/flight_printer.h"
+#include "apps/cli/interrupt.h"
 #include "apps/cli/program.h"
-#include "apps/config/data_folder.h"
 #include "apps/config/flight_request.h"
 #include "apps/config/input_error.h"
-#include "apps/config/layout_file.h"
-#include "apps/config/layout_topology.h"
 #include "apps/config/settings_table.h"
-#include "apps/config/text_file.h"
-#include "apps/flight/flight.h"
+#include "apps/config/tuned_settings.h"
+#include "apps/flight/mission.h"
 #include "apps/output/flight_folder.h"
 #include "apps/output/flight_summary.h"
 #include "apps/output/json_text.h"
@@ -25,24 +22,13 @@
 namespace lineservo::apps {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
 /// As typed; what was not typed keeps the value of --config or the default.
 struct FlyArguments {
   std::string target;
   std::optional<std::string> controller, layout, conditions, config, out, seed, speed;
   std::vector<std::string> overrides;
-  bool land = false, explain = false, json = false;
+  bool land = false, tuned = false, explain = false, json = false;
 };
-
-/// All of it goes into JSON and YAML, which hold UTF-8 alone.
-void check_text(const FlightRequest& request) {
-  for (const auto& [what, text] : {std::pair{"TARGET", &request.instruction},
-                                   {"--layout", &request.layout},
-                                   {"--conditions", &request.conditions}}) {
-    if (!is_utf8(*text)) throw InputError(fmt::format("fly: {} '{}': must be UTF-8 text", what, *text));
-  }
-}
 
 FlightRequest request_of(const FlyArguments& a) {
   if (a.config && a.conditions)
@@ -54,39 +40,33 @@ FlightRequest request_of(const FlyArguments& a) {
   if (a.controller) request.controller = *a.controller;
   if (a.layout) request.layout = *a.layout;
   if (a.seed) request.seed = read_seed(*a.seed, fmt::format("--seed {}", *a.seed));
+  if (a.tuned) apply_tuned(request);
   if (a.land) request.land = true;
   if (a.speed) SettingsTable(request.settings).set("speed_m_s", *a.speed, "--speed");
   for (const std::string& assignment : a.overrides) apply_override(request, assignment);
   if (request.instruction.empty())
     throw InputError("fly: TARGET is missing: an instruction such as a13, or node:NAME");
-  check_text(request);
   return request;
 }
 
 int fly(const FlyArguments& arguments) {
-  const FlightRequest request = request_of(arguments);
-  servo::find_controller(request.controller);
-  const vehicle::Layout floor = read_layout(find_data(DataKind::layout, request.layout));
-  const servo::Topology topology = topology_of(floor);
-  const servo::Plan plan =
-      servo::compile(topology, servo::find_target(topology, request.instruction), request.instruction);
+  const Mission mission = prepare(request_of(arguments));
+  const FlightRequest& request = mission.request;
   if (arguments.explain) {
-    print_plan(plan);
+    print_plan(mission.plan);
     return kDone;
   }
   std::optional<ResultFolder> folder;
   if (arguments.out) folder.emplace(*arguments.out);
   const OwnFiles own = own_files(request);
 
-  std::signal(SIGINT, [](int) { interrupted = 1; });
+  watch_for_interrupt();
   ProgressLine line(request.instruction);
-  Flight flight(request, floor, plan);
-  const FlightRecord record = flight.run([&line](const FlightProgress& progress) {
+  const auto [record, summary] = fly_mission(mission, [&line](const FlightProgress& progress) {
     line.show(progress);
-    return interrupted == 0;
+    return !interrupted();
   });
   line.clear();
-  const FlightSummary summary = summarise(request, floor, plan, record);
   if (folder) write_flight(*folder, request, own, record, summary);
   if (arguments.json) {
     fmt::print("{}", json_text(to_json(request, summary), 2));
@@ -115,6 +95,8 @@ void add_fly_command(CLI::App& app, int& exit_code) {
           "--set", [&a](const std::string& assignment) { a.overrides.push_back(assignment); },
           "KEY=VALUE: any setting of config.yaml; may be repeated")
       ->trigger_on_parse();
+  command->add_flag("--tuned", a.tuned,
+                    "with the controller's tuned parameters instead of the published ones");
   command->add_option(
       "--config", a.config,
       "the config.yaml of an earlier flight, to repeat it; what else is typed goes before it. It holds "

@@ -9,12 +9,14 @@
 #include <cstring>
 #include <exception>
 
+#include "apps/cli/compare_command.h"
 #include "apps/cli/detect_command.h"
 #include "apps/cli/evaluate_command.h"
 #include "apps/cli/fly_command.h"
 #include "apps/cli/list_commands.h"
 #include "apps/cli/test_command.h"
 #include "apps/cli/train_command.h"
+#include "apps/cli/tune_command.h"
 #include "apps/config/input_error.h"
 #include "apps/version.h"
 
@@ -61,11 +63,13 @@ int run(int argc, char** argv) try {
   app.require_subcommand(1);
   int exit_code = kDone;
   add_fly_command(app, exit_code);
+  add_compare_command(app, exit_code);
   add_detect_command(app, exit_code);
   add_evaluate_command(app, exit_code);
   add_list_commands(app);
   add_test_command(app);
   add_train_command(app);
+  add_tune_command(app, exit_code);
   return parse_and_run(app, argc, argv, exit_code);
 } catch (const InputError& error) {
   complain(error.what());

@@ -77,6 +77,12 @@ std::string shipped_text(const fs::path& file) {
   return text;
 }
 
+std::optional<fs::path> shipped_file(const fs::path& file) {
+  const fs::path path = data_root() / file;
+  std::error_code error;
+  return fs::is_regular_file(path, error) ? std::optional(path) : std::nullopt;
+}
+
 std::vector<DataEntry> list_data(DataKind kind) {
   std::vector<DataEntry> entries;
   for (const fs::path& file : shipped(kind)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ bool is_shipped(DataKind kind, const std::string& name);
 
 /// The text of a file that ships, by its path in the data folder ("models/yellow.yaml"). Throws InputError.
 std::string shipped_text(const std::filesystem::path& file);
+/// Where such a file is, or none when it does not ship.
+std::optional<std::filesystem::path> shipped_file(const std::filesystem::path& file);
 
 /// What ships of a kind: name and description, in order of names.
 struct DataEntry {

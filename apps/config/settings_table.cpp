@@ -154,7 +154,7 @@ void SettingsTable::number(std::string key, double& value, double low, double hi
     return true;
   };
   table_.push_back({std::move(key), fmt::format("a number from {} to {}", low, high), set,
-                    [&value] { return fmt::format("{}", value); }});
+                    [&value] { return fmt::format("{}", value); }, NumberRange{low, high}});
 }
 
 void SettingsTable::whole(std::string key, int& value, int low, int high) {

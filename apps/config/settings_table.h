@@ -1,12 +1,17 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/config/settings.h"
 
 namespace lineservo::apps {
+
+struct NumberRange {
+  double low, high;
+};
 
 /// One setting by its name: how to read it from text and how to write it so that it reads back to the last
 /// bit.
@@ -15,6 +20,7 @@ struct Setting {
   std::string allowed;                          ///< for messages: "a number from 0 to 1"
   std::function<bool(const std::string&)> set;  ///< false when the text is not allowed
   std::function<std::string()> get;
+  std::optional<NumberRange> range = {};  ///< of a number that need not be whole
 };
 
 /// The names of all settings, bound to one Settings object: the only place where a key meets its variable.

@@ -5,18 +5,13 @@
 #include <limits>
 #include <numeric>
 
+#include "apps/scoring/percentile.h"
 #include "features/geometry/angles.h"
 
 namespace lineservo::apps {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-// The value that a share of the sorted sizes does not exceed.
-double ranked(const std::vector<double>& sorted, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
 
 double share(int part, int whole) {
   return whole == 0 ? kNone : static_cast<double>(part) / whole;

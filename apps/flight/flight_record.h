@@ -45,7 +45,7 @@ struct EventRecord {
   std::string detail;
 };
 
-/// Wall-clock time spent, and in how many calls.
+/// Processor time spent by the thread that flies, and in how many calls.
 struct StageTiming {
   double total_s = 0.0;
   long calls = 0;

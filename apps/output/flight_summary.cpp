@@ -115,6 +115,8 @@ FlightSummary summarise(const FlightRequest& request, const vehicle::Layout& flo
   summary.outcome = outcome(record, floor, route.target, summary.rest);
   summary.duration_s = record.truth.empty() ? 0.0 : vehicle::seconds(record.truth.back().t);
   summary.distance_m = flown_m(record);
+  summary.tilt_rate_rms_rad_s = tilt_rate_rms_rad_s(record);
+  summary.hold = score_hold(record, summary.target_W);
   summary.track = score_track(record, route);
   summary.junctions =
       score_junctions(record, JunctionTruth(floor, camera), 1.0 / request.settings.camera.frame_rate_hz);

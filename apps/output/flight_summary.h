@@ -6,6 +6,7 @@
 
 #include "apps/config/flight_request.h"
 #include "apps/flight/flight_record.h"
+#include "apps/scoring/hold_score.h"
 #include "apps/scoring/junction_score.h"
 #include "apps/scoring/track_score.h"
 
@@ -19,6 +20,8 @@ struct FlightSummary {
   std::optional<Rest> rest;
   double duration_s = 0.0;
   double distance_m = 0.0;
+  double tilt_rate_rms_rad_s = 0.0;
+  HoldScore hold{};
   TrackScore track;
   JunctionScore junctions;
   FlightTiming timing;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/scoring/percentile.h"
 #include "features/geometry/angles.h"
 
 namespace lineservo::apps {
@@ -45,6 +46,11 @@ struct LegSums {
   OffsetSums whole, settled, turn;
 };
 
+std::size_t error_bin(double error_m) {
+  const auto bin = static_cast<std::size_t>(error_m / kErrorBin_m);
+  return std::min(bin, ErrorDistribution{}.size() - 1);
+}
+
 /// Walks along the samples, knows the leg and whether a turn is on.
 class LegWalker {
  public:
@@ -62,14 +68,17 @@ class LegWalker {
 
   TrackScore score() const {
     TrackScore score;
-    OffsetSums all = all_;
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       if (sums_[k].whole.count() == 0) continue;
       const LegTruth& leg = route_.legs[k];
       score.legs.push_back({leg.from, leg.to, leg.axis, sums_[k].whole.statistics(), sums_[k].settled.rmse(),
                             sums_[k].turn.max(), sums_[k].whole.count()});
     }
-    score.all = all.statistics();
+    score.all = all_.whole.statistics();
+    score.settled_rmse_m = all_.settled.rmse();
+    score.turn_max_m = all_.turn.max();
+    score.p95_m = percentile(errors_m_, 0.95);
+    for (const double error_m : errors_m_) ++score.distribution[error_bin(error_m)];
     return score;
   }
 
@@ -109,16 +118,18 @@ class LegWalker {
     }
     const double signed_m = std::copysign(offset.distance_m, offset.signed_m);
     const bool early = vehicle::seconds(s.t - leg_began_) <= kSettles_s;
-    LegSums& sums = sums_[leg_];
-    sums.whole.add(signed_m);
-    all_.add(signed_m);
-    if (!turning && !early) sums.settled.add(signed_m);
-    if (turning || (early && leg_ > 0)) sums.turn.add(signed_m);
+    errors_m_.push_back(offset.distance_m);
+    for (LegSums* sums : {&sums_[leg_], &all_}) {
+      sums->whole.add(signed_m);
+      if (!turning && !early) sums->settled.add(signed_m);
+      if (turning || (early && leg_ > 0)) sums->turn.add(signed_m);
+    }
   }
 
   const RouteTruth& route_;
   std::vector<LegSums> sums_;
-  OffsetSums all_;
+  LegSums all_;
+  std::vector<double> errors_m_;
   std::size_t leg_ = 0;
   bool begun_ = false;
   vehicle::Time leg_began_{0};

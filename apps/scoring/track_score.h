@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,9 +25,15 @@ struct LegScore {
   long samples = 0;
 };
 
+/// How often the error fell into each bin of 5 cm; the last bin has no upper end.
+inline constexpr double kErrorBin_m = 0.05;
+using ErrorDistribution = std::array<long, 20>;
+
 struct TrackScore {
   std::vector<LegScore> legs;  ///< those that were begun
   OffsetStatistics all;
+  double settled_rmse_m, turn_max_m, p95_m;  ///< of all legs
+  ErrorDistribution distribution{};
 };
 
 TrackScore score_track(const FlightRecord& record, const RouteTruth& route);

@@ -184,6 +184,36 @@ TEST_F(ProgramTest, RefusesToWriteWhereItCannotBeforeItFlies) {
   EXPECT_THAT(refusal({"fly", "a13", "--out", "/proc/lineservo"}), HasSubstr("--out /proc/lineservo"));
 }
 
+TEST_F(ProgramTest, RefusesComparisonsThatAreNone) {
+  EXPECT_THAT(refusal({"compare", "--controllers", "ibvs,lqr"}), HasSubstr("lqr"));
+  EXPECT_THAT(refusal({"compare", "--controllers", "ibvs,ibvs"}), HasSubstr("named twice"));
+  EXPECT_THAT(refusal({"compare", "--instructions", "a13,a99"}), HasSubstr("a99"));
+  EXPECT_THAT(refusal({"compare", "--preset", "none"}), HasSubstr("topology, lfpf, grid-flight"));
+  EXPECT_THAT(refusal({"compare", "--preset", "topology", "--layout", "bend"}), HasSubstr("excludes"));
+  EXPECT_THAT(refusal({"compare", "--own-speed", "--speeds", "0.1"}), HasSubstr("excludes"));
+  EXPECT_THAT(refusal({"compare", "--reference", "pid", "--controllers", "ibvs"}), HasSubstr("--reference"));
+  for (const char* bad : {"0", "-1", "x"}) {
+    EXPECT_THAT(refusal({"compare", std::string("--runs=") + bad}), HasSubstr("--runs"));
+    EXPECT_THAT(refusal({"compare", std::string("--jobs=") + bad}), HasSubstr("--jobs"));
+    EXPECT_THAT(refusal({"tune", "pid", std::string("--budget=") + bad}), HasSubstr("--budget"));
+  }
+  EXPECT_THAT(refusal({"tune", "lqr"}), HasSubstr("lqr"));
+  EXPECT_THAT(refusal({"tune"}), HasSubstr("CONTROLLER"));
+}
+
+TEST_F(ProgramTest, ComparesAndWritesItsThreeFiles) {
+  const std::string floor = short_flight()[3];
+  const Ran ran = run({"compare", "--instructions", "node:q", "--layout", floor, "--conditions", "ideal",
+                       "--controllers", "ibvs,pid", "--runs", "1", "--json", "--out", path("out")});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_EQ(read_text(path("out/comparison.json")), ran.out);
+  const nlohmann::json json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json["settings"]["reference"], "ibvs");
+  EXPECT_GE(json["flights"].size(), 2u);
+  EXPECT_GT(fs::file_size(path("out/comparison.csv")), 0u);
+  EXPECT_GT(fs::file_size(path("out/distribution.csv")), 0u);
+}
+
 TEST_F(ProgramTest, AFullDiskIsOneErrorAndLeavesNothing) {
   const Ran ran = run(short_flight({"--out", path("out")}), 4096);
   EXPECT_EQ(ran.exit_code, 2);
@@ -200,7 +230,7 @@ TEST_F(ProgramTest, HelpIsEverywhereAndQuick) {
   for (const char* word : {"TARGET", "--controller", "--layout", "--conditions", "--speed", "--seed", "--set",
                            "--config", "--land", "--explain", "--out", "--json"})
     EXPECT_THAT(fly.out, HasSubstr(word));
-  for (const char* command : {"fly", "layouts", "controllers", "conditions", "test"}) {
+  for (const char* command : {"fly", "compare", "tune", "layouts", "controllers", "conditions", "test"}) {
     EXPECT_THAT(run({"--help"}).out, HasSubstr(command));
     EXPECT_EQ(run({command, "--help"}).exit_code, 0) << command;
   }

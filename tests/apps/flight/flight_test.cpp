@@ -18,6 +18,7 @@ using testing::Flown;
 using testing::fly;
 using testing::plan_on;
 using testing::request_for;
+using testing::story;
 
 /// A corner 1.2 m ahead with the next one 1.2 m to the left: a short flight with a turn.
 vehicle::Layout small_floor() {

@@ -14,6 +14,7 @@ using testing::Flown;
 using testing::fly;
 using testing::request_for;
 using testing::shipped_layout;
+using testing::story;
 
 constexpr double kColumn_m = 3.6, kRow_m = 6.8 / 3.0;
 

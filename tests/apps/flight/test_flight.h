@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include "apps/flight/flight.h"
-#include "apps/output/flight_summary.h"
+#include "apps/flight/mission.h"
 #include "tests/apps/test_floors.h"
 
 namespace lineservo::apps::testing {
@@ -18,24 +17,15 @@ inline FlightRequest request_for(const std::string& instruction, const std::stri
   return request;
 }
 
-/// A flight and what was found out about it.
-struct Flown {
-  FlightRecord record;
-  FlightSummary summary;
-};
+using Flown = FlownMission;
 
 /// Flies a plan over a floor that it need not have been compiled from. `planned` is the floor of the plan.
 inline Flown fly(const FlightRequest& request, const vehicle::Layout& planned, const vehicle::Layout& floor) {
-  const servo::Plan plan = plan_on(planned, request.instruction);
-  Flight flight(request, floor, plan);
-  Flown flown{flight.run(), {}};
-  flown.summary = summarise(request, floor, plan, flown.record);
-  return flown;
+  return fly_mission({request, floor, plan_on(planned, request.instruction)});
 }
 
 inline Flown fly(const FlightRequest& request) {
-  const vehicle::Layout floor = shipped_layout(request.layout);
-  return fly(request, floor, floor);
+  return fly_mission(prepare(request));
 }
 
 /// Why a flight did not go as hoped, for the message of a test.

@@ -90,6 +90,25 @@ TEST_F(TrackScoreTest, AConstantOffsetIsEveryStatisticButTheDeviation) {
   EXPECT_NEAR(result.all.rmse_m, 0.03, 1e-12);
 }
 
+TEST_F(TrackScoreTest, OfAllLegsHasTheSamplesInTheirBins) {
+  flight_.fly(
+      1, 10.0, [](double t_s) { return t_s < 0.4   ? -0.12
+                                       : t_s < 6.0 ? 0.03
+                                                   : 0.01; }, 0);
+  const TrackScore result = score();
+  EXPECT_NEAR(result.p95_m, 0.03, 1e-12);
+  EXPECT_NEAR(result.settled_rmse_m, result.legs[0].settled_rmse_m, 1e-15);
+  EXPECT_TRUE(std::isnan(result.turn_max_m));
+  EXPECT_EQ(result.distribution[0], 960);
+  EXPECT_EQ(result.distribution[2], 40);
+}
+
+TEST_F(TrackScoreTest, AnErrorBeyondTheLastBinIsInIt) {
+  flight_.fly(
+      1, 0.1, [](double) { return 1.5; }, 0);
+  EXPECT_EQ(score().distribution.back(), 10);
+}
+
 TEST_F(TrackScoreTest, AnOffsetToTheRightHasANegativeMean) {
   flight_.fly(
       1, 2.0, [](double) { return -0.02; }, 0);

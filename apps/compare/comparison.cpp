@@ -1,0 +1,137 @@
+#include "apps/compare/comparison.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "apps/compare/fly_again.h"
+#include "apps/config/input_error.h"
+#include "apps/config/tuned_settings.h"
+
+namespace lineservo::apps {
+namespace {
+
+/// The speed that an entry is asked to fly; none: that of the conditions.
+std::optional<double> own_speed_of(const std::string& controller) {
+  const double published_m_s = servo::find_controller(controller).published_speed_m_s;
+  return published_m_s > 0.0 ? std::optional(published_m_s) : std::nullopt;
+}
+
+/// conditions ← speed ← tuned parameters ← the block's, the variant's and the user's settings
+void complete(Entry& entry, const ComparisonOptions& options, std::optional<double> speed_m_s) {
+  FlightRequest& request = entry.request;
+  apply_conditions(request, options.conditions);
+  request.controller = entry.controller;
+  request.layout = entry.layout;
+  if (speed_m_s) apply_override(request, fmt::format("speed_m_s={}", *speed_m_s));
+  if (entry.tuned) apply_tuned(request);
+  for (const std::string& assignment : entry.overrides) apply_override(request, assignment);
+  entry.speed_m_s = request.settings.speed_m_s;
+}
+
+std::vector<bool> tunings(const std::string& controller, Tuning wanted) {
+  servo::find_controller(controller);
+  if (wanted == Tuning::published) return {false};
+  if (wanted == Tuning::tuned) return {true};
+  return tuned_file(controller) ? std::vector<bool>{false, true} : std::vector<bool>{false};
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// All controllers of a block on one layout at one speed.
+void add_group(std::vector<Entry>& entries, const Entry& common, const Block& block,
+               std::optional<double> speed_m_s, const ComparisonOptions& options) {
+  for (const std::string& controller : block.controllers) {
+    for (const bool tuned : tunings(controller, options.tuning)) {
+      for (const Variant& variant : block.variants) {
+        Entry entry = common;
+        entry.controller = controller;
+        entry.tuned = tuned;
+        entry.variant = variant;
+        entry.overrides = joined(joined(block.overrides, variant.overrides), options.overrides);
+        complete(entry, options, block.own_speed ? own_speed_of(controller) : speed_m_s);
+        entries.push_back(std::move(entry));
+      }
+    }
+  }
+}
+
+void add_block(std::vector<Entry>& entries, const Block& block, const ComparisonOptions& options) {
+  std::vector<std::optional<double>> speeds(block.speeds_m_s.begin(), block.speeds_m_s.end());
+  if (speeds.empty()) speeds = {std::nullopt};
+  for (const std::string& layout : block.layouts) {
+    for (const auto& speed_m_s : speeds) {
+      Entry common;
+      common.group = fmt::format("{}|{}|{}|{}|{}", block.title, layout, fmt::join(block.instructions, ","),
+                                 speed_m_s.value_or(0.0), block.own_speed);
+      common.title = block.title;
+      common.layout = layout;
+      common.instructions = block.instructions;
+      common.own_speed = block.own_speed;
+      add_group(entries, common, block, speed_m_s, options);
+    }
+  }
+}
+
+}  // namespace
+
+std::string Entry::label() const {
+  return controller + (tuned ? " tuned" : "") + (variant.label.empty() ? "" : " " + variant.label);
+}
+
+std::vector<Entry> entries_of(const ComparisonOptions& options) {
+  std::vector<Entry> entries;
+  for (const Block& block : options.blocks) add_block(entries, block, options);
+  const std::string reference = reference_of(options);
+  if (std::none_of(entries.begin(), entries.end(),
+                   [&](const Entry& e) { return e.controller == reference; })) {
+    throw InputError(fmt::format("--reference {}: does not fly; it must be among --controllers", reference));
+  }
+  return entries;
+}
+
+Comparison::Comparison(const ComparisonOptions& options) {
+  for (Entry& entry : entries_of(options)) {
+    Contestant& contestant = contestants_.emplace_back(Contestant{std::move(entry), {}});
+    for (const std::string& instruction : contestant.entry.instructions)
+      add_flights(contestant, instruction, options);
+  }
+}
+
+void Comparison::add_flights(Contestant& contestant, const std::string& instruction,
+                             const ComparisonOptions& options) {
+  FlightRequest request = contestant.entry.request;
+  request.instruction = instruction;
+  missions_.push_back(prepare(request));
+  for (int run = 0; run < options.runs; ++run) {
+    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(run);
+    tasks_.push_back({&missions_.back(), seed});
+    contestant.flights.push_back({instruction, seed, fly_again(contestant.entry, instruction, seed), {}});
+  }
+}
+
+std::optional<std::vector<Contestant>> Comparison::fly(int jobs,
+                                                       const std::function<bool(std::size_t)>& watch) {
+  auto summaries = fly_all(tasks_, jobs, watch);
+  if (!summaries) return std::nullopt;
+  std::vector<Contestant> flown = contestants_;
+  auto summary = summaries->begin();
+  for (Contestant& contestant : flown) {
+    for (ComparedFlight& flight : contestant.flights) flight.summary = std::move(*summary++);
+  }
+  return flown;
+}
+
+std::string reference_of(const ComparisonOptions& options) {
+  if (options.reference) return *options.reference;
+  for (const Block& block : options.blocks) {
+    if (std::count(block.controllers.begin(), block.controllers.end(), "ibvs") > 0) return "ibvs";
+  }
+  return options.blocks.front().controllers.front();
+}
+
+}  // namespace lineservo::apps

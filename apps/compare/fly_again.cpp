@@ -1,0 +1,30 @@
+#include "apps/compare/fly_again.h"
+
+#include <fmt/format.h>
+
+namespace lineservo::apps {
+namespace {
+
+/// In single quotes unless it is plain.
+std::string for_shell(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+std::string fly_again(const Entry& entry, const std::string& instruction, std::uint64_t seed) {
+  std::string command =
+      fmt::format("lineservo fly {} --controller {} --layout {} --conditions {} --speed {} --seed {}",
+                  for_shell(instruction), for_shell(entry.controller), for_shell(entry.layout),
+                  for_shell(entry.request.conditions), entry.speed_m_s, seed);
+  if (entry.tuned) command += " --tuned";
+  for (const std::string& assignment : entry.overrides) command += " --set " + for_shell(assignment);
+  return command;
+}
+
+}  // namespace lineservo::apps

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lineservo::apps {
+
+/// Figures of a paper, to stand beside the rows of a block of the same title.
+struct PublishedRow {
+  std::string_view title;   ///< of the block
+  std::string_view who;     ///< the law, as its paper calls it
+  std::string_view source;  ///< paper and table
+  std::optional<double> junction_accuracy, rmse_m, max_m, mean_m, terminal_error_m, duration_s;
+  std::string_view note;
+};
+
+/// Those of a block; none for a block that no paper flew.
+std::vector<PublishedRow> published_beside(const std::string& title);
+
+}  // namespace lineservo::apps

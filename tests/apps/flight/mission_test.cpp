@@ -1,0 +1,42 @@
+#include "apps/flight/mission.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/test_files.h"
+
+namespace lineservo::apps {
+namespace {
+
+using testing::complaint;
+using ::testing::HasSubstr;
+
+FlightRequest request_for_a13() {
+  FlightRequest request;
+  request.instruction = "a13";
+  return request;
+}
+
+TEST(Prepare, ReadsTheFloorAndCompilesThePlan) {
+  const Mission mission = prepare(request_for_a13());
+  EXPECT_EQ(mission.floor.name, "warehouse");
+  EXPECT_EQ(mission.plan.target, "n13");
+  EXPECT_EQ(mission.request.instruction, "a13");
+}
+
+TEST(Prepare, RefusesWhatCannotBeFlown) {
+  FlightRequest request = request_for_a13();
+  request.controller = "lqr";
+  EXPECT_THROW(prepare(request), std::invalid_argument);
+  request = request_for_a13();
+  request.instruction = "a99";
+  EXPECT_THROW(prepare(request), std::invalid_argument);
+  request = request_for_a13();
+  request.layout = "hall";
+  EXPECT_THAT(complaint([&] { prepare(request); }), HasSubstr("hall"));
+  request.layout = "p\xff.yaml";
+  EXPECT_THAT(complaint([&] { prepare(request); }), HasSubstr("UTF-8"));
+}
+
+}  // namespace
+}  // namespace lineservo::apps
