@@ -21,7 +21,6 @@ struct DetectionReport {
 /// One object with the fields of the command line's contract, in their order; what was not seen is null.
 nlohmann::ordered_json to_json(const DetectionReport& report);
 
-
 /// The same for people: a line for the image and one for each line in view.
 std::string to_text(const DetectionReport& report);
 

@@ -53,8 +53,8 @@ inline constexpr double kLargestRadius_m = 1e3;
 
 /// Every fault of the layout, one line each; empty when it is sound. Checks: at least one edge, indices in
 /// range, distinct node names, widths of 5 mm to 2 m, centrelines that start and end on their nodes (1 mm),
-/// are finite and keep to kFarthest_m and kLargestRadius_m; when all of that holds, that no lines run over each
-/// other (overlaps.h).
+/// are finite and keep to kFarthest_m and kLargestRadius_m; when all of that holds, that no lines run over
+/// each other (overlaps.h).
 std::vector<std::string> faults(const Layout& layout);
 
 }  // namespace lineservo::vehicle
