@@ -15,6 +15,7 @@
 #include "apps/compare/parallel.h"
 #include "apps/compare/presets.h"
 #include "apps/config/input_error.h"
+#include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 #include "servo/law/controllers.h"
 
@@ -114,7 +115,7 @@ int compare(const Arguments& arguments) {
     return kFailed;
   }
   const ComparisonResult result{options, arguments.preset.value_or(""), std::move(*contestants)};
-  const std::string json = comparison_json(result).dump(2) + "\n";
+  const std::string json = json_text(comparison_json(result), 2);
   if (folder) write_results(*folder, result, json);
   fmt::print("{}", arguments.json ? json : text_of(arguments, result));
   return kDone;

@@ -12,6 +12,7 @@
 #include "apps/cli/study_progress.h"
 #include "apps/compare/parallel.h"
 #include "apps/compare/tuning.h"
+#include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 #include "apps/version.h"
 #include "servo/law/controllers.h"
@@ -57,7 +58,7 @@ void write_results(ResultFolder& folder, const Arguments& arguments,
     folder.write(result.controller + ".yaml", tuned_yaml(result));
     json["controllers"].push_back(json_of(result));
   }
-  folder.write("tuning.json", json.dump(2) + "\n");
+  folder.write("tuning.json", json_text(json, 2));
   folder.publish();
 }
 
