@@ -17,10 +17,11 @@ namespace {
 
 constexpr double kLargestFactor = 8.0;  // of a parameter, about its published value
 
-// Saturations and guards, how the image is cut, and the pace in bends, which no training flight has: they say
-// when a law may act, not how well it follows.
-constexpr std::array<std::string_view, 7> kNotTuned = {"limit", "coast_s", "view_margin", "view_angle",
-                                                       "width", "bend_",   "max_"};
+// Saturations and guards, how the image is cut, the pace in bends, which no training flight has, and what
+// turns pitch into speed or a law's units into radians: they say when and how fast, not how well a law
+// follows.
+constexpr std::array<std::string_view, 9> kNotTuned = {
+    "limit", "coast_s", "view_margin", "view_angle", "width", "bend_", "pitch_speed", "channel_us", "max_"};
 
 struct TrainingTrack {
   const char* instruction;
