@@ -7,14 +7,19 @@
 
 #include "features/law_features.h"
 #include "servo/law/ibvs_line_law.h"
+#include "servo/law/ibvs_point_law.h"
 #include "servo/law/pid_law.h"
+#include "servo/law/vtp_law.h"
 
 namespace lineservo::servo {
 
 /// Parameters of every law.
 struct LawOptions {
   IbvsLineOptions ibvs;
+  IbvsPointOptions ibvs_centroid;
+  IbvsPointOptions ibvs_point;
   PidOptions pid;
+  VtpOptions vtp;
 };
 
 /// What one controller is, for the command line and for the executive.
