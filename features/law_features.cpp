@@ -6,18 +6,22 @@
 namespace lineservo::features {
 
 LawFeatureExtractor::LawFeatureExtractor(const CameraModel& camera, const MaskGeometry& geometry,
-                                         const FeatureNeeds& needs)
+                                         const FeatureNeeds& needs, const PathLook& look)
     : geometry_(geometry),
       needs_(needs),
       pose_{camera, LevelView()},
-      line_detector_(needs.line_method.empty() ? nullptr : find_line_method(needs.line_method).make()) {}
+      line_detector_(needs.line_method.empty() ? nullptr : find_line_method(needs.line_method).make()) {
+  if (!needs.target_point) return;
+  TargetOptions target = look.target;
+  target.least_arc_px = needs.least_arc_px;
+  target_finder_.emplace(camera, look.ranges, look.segmenter, target);
+}
 
 LawFeatures LawFeatureExtractor::extract(const cv::Mat& bgr, const Segmentation& segmentation,
-                                         const std::optional<PixelPoint>& centroid_px,
-                                         const LevelView& view) {
-  const LevelView& used = needs_.tilt_corrected ? view : LevelView();
+                                         const SeenByAll& seen, const FrameContext& context) {
+  const LevelView used = needs_.tilt_corrected ? context.view : LevelView();
   LawFeatures features;
-  if (centroid_px) features.centroid = level(*centroid_px, used);
+  if (seen.centroid_px) features.centroid = level(*seen.centroid_px, used);
   if (line_detector_) features.lines = find_lines(bgr, segmentation.paint, used);
   if (needs_.boundary_centres) {
     const PackedMask& path = segmentation.paint;
@@ -26,7 +30,17 @@ LawFeatures LawFeatureExtractor::extract(const cv::Mat& bgr, const Segmentation&
     if (centres.ahead) features.ahead = level(*centres.ahead, used);
     if (centres.behind) features.behind = level(*centres.behind, used);
   }
+  if (target_finder_) features.target = find_target(bgr, seen, context, used);
   return features;
+}
+
+std::optional<LevelPoint> LawFeatureExtractor::find_target(const cv::Mat& bgr, const SeenByAll& seen,
+                                                           const FrameContext& context,
+                                                           const LevelView& view) {
+  if (!context.on_the_way) target_finder_->forget_direction();
+  const std::optional<NormalizedPoint> target = target_finder_->find(bgr, seen.stripe_width);
+  if (!target) return std::nullopt;
+  return view.level(*target);
 }
 
 std::vector<LineFeature> LawFeatureExtractor::find_lines(const cv::Mat& bgr, const PackedMask& path,

@@ -16,6 +16,12 @@ std::unique_ptr<LineDetector> detector_of(const std::string& line_method) {
   return line_method == "stripe" ? nullptr : method.make();
 }
 
+SeenByAll seen_by_all(const FrameFeatures& features, const StripeFeatures& stripes) {
+  SeenByAll seen{features.centroid_px, std::nullopt};
+  if (!stripes.lines.empty()) seen.stripe_width = stripes.lines.front().width;
+  return seen;
+}
+
 }  // namespace
 
 Perception::Perception(const CameraModel& camera, const PerceptionOptions& options)
@@ -26,7 +32,7 @@ Perception::Perception(const CameraModel& camera, const PerceptionOptions& optio
       stripes_(geometry_, options.stripe),
       line_detector_(detector_of(options.line_method)),
       pose_{camera, LevelView()},
-      law_features_(camera, geometry_, options.needs),
+      law_features_(camera, geometry_, options.needs, {options.segmenter, options.path, options.target}),
       filter_(options.junction_window),
       tracker_(options.tracker),
       path_segmenter_(options.path.name == kFastPath ? nullptr : make_segmenter(options.path)) {}
@@ -52,7 +58,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   if (segmentation_->marker_pixels > kStartMarkerLimit_px)
     features.start_marker = context.view.level(geometry_.normalize(*segmentation_->marker_centroid_px));
   features.foreground_ratio = foreground_ratio(profile_);
-  features.law = law_features_.extract(bgr, *segmentation_, features.centroid_px, context.view);
+  features.law = law_features_.extract(bgr, *segmentation_, seen_by_all(features, stripes), context);
   bool line_ends_ahead = false;
   const JunctionCode raw = read_code(stripes, line_ends_ahead);
   features.code = filter_.update(raw, line_ends_ahead);

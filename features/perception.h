@@ -5,6 +5,7 @@
 #include <string>
 
 #include "features/detect/segmenters.h"
+#include "features/frame_context.h"
 #include "features/frame_features.h"
 #include "features/geometry/camera_model.h"
 #include "features/geometry/level_view.h"
@@ -31,13 +32,6 @@ enum class LineFilter {
            ///< among parallels
 };
 
-/// What is known of a frame besides its pixels.
-struct FrameContext {
-  LevelView view;             ///< from the attitude at the exposure
-  double height_m = 0.5;      ///< at the exposure
-  double since_last_s = 0.0;  ///< since the exposure of the frame before
-};
-
 struct PerceptionOptions {
   SegmenterOptions segmenter;
   /// Of segmenter_names(): with hsv the fast path with the ranges above; the others give the path's mask,
@@ -51,10 +45,11 @@ struct PerceptionOptions {
   /// Of line_methods(): where the lines come from. The junctions always rest on the stripes.
   std::string line_method = "stripe";
   FeatureNeeds needs;  ///< of the law that flies
+  TargetOptions target;
 };
 
-/// Frame → features: segmentation, centroid, stripes, junction and code. Remembers the code filter's window
-/// and the tracked line from frame to frame, nothing else.
+/// Frame → features: segmentation, centroid, stripes, junction and code. Remembers the code filter's window,
+/// the tracked line and what the law's own features remember from frame to frame, nothing else.
 class Perception {
  public:
   /// Throws std::invalid_argument for options out of bounds.

@@ -27,11 +27,14 @@ void SettingsTable::interaction(std::string key, servo::InteractionMatrix& value
 
 void SettingsTable::bind_laws(servo::LawOptions& l) {
   bind_ibvs(l.ibvs);
+  bind_ibvs_point("servo.ibvs-centroid", l.ibvs_centroid);
+  bind_ibvs_point("servo.ibvs-point", l.ibvs_point);
   bind_pid(l.pid);
   bind_grid(l.grid);
   bind_lfpf(l.lfpf);
   bind_carrot(l.carrot);
   bind_improved_carrot(l.improved_carrot);
+  bind_vtp(l.vtp);
 }
 
 void SettingsTable::bind_ibvs(servo::IbvsLineOptions& o) {
@@ -46,12 +49,33 @@ void SettingsTable::bind_ibvs(servo::IbvsLineOptions& o) {
   number("servo.ibvs.bend_yaw_rate_rad_s", o.bend_yaw_rate_rad_s, 0.05, 3.0);
 }
 
+void SettingsTable::bind_ibvs_point(const std::string& prefix, servo::IbvsPointOptions& o) {
+  gain(prefix, o.gain);
+  number(prefix + ".drift_time_constant_s", o.drift_time_constant_s, 0.05, 60.0);
+  number(prefix + ".junction_drift_time_constant_s", o.junction_drift_time_constant_s, 0.05, 60.0);
+  number(prefix + ".drift_limit_m_s", o.drift_limit_m_s, 0.0, 2.0);
+  number(prefix + ".coast_s", o.coast_s, 0.0, 5.0);
+  number(prefix + ".view_margin", o.view_margin, 0.05, 2.0);
+}
+
 void SettingsTable::bind_pid(servo::PidOptions& o) {
   number("servo.pid.kp", o.kp, 0.0, 100.0);
   number("servo.pid.ki", o.ki, 0.0, 100.0);
   number("servo.pid.kd", o.kd, 0.0, 100.0);
   number("servo.pid.integral_limit", o.integral_limit, 0.0, 1000.0);
   number("servo.pid.dead_zone", o.dead_zone, 0.0, 1.0);
+  number("servo.pid.yaw_gamma_px_m", o.yaw_gamma_px_m, 0.0, 1000.0);
+  number("servo.pid.yaw_clip_px", o.yaw_clip_px, 1.0, 200.0);
+  number("servo.pid.yaw_focal_px", o.yaw_focal_px, 1.0, 10000.0);
+  number("servo.pid.yaw_rate_limit_rad_s", o.yaw_rate_limit_rad_s, 0.0, 10.0);
+}
+
+void SettingsTable::bind_vtp(servo::VtpOptions& o) {
+  number("servo.vtp.step_m_per_px", o.step_m_per_px, 1e-5, 1.0);
+  number("servo.vtp.change_m_per_px", o.change_m_per_px, 0.0, 1.0);
+  number("servo.vtp.change_px", o.change_px, 0.0, 100.0);
+  number("servo.vtp.arc_px", o.arc_px, 1.0, 1000.0);
+  number("servo.vtp.period_s", o.period_s, 0.02, 2.0);
 }
 
 void SettingsTable::pid_gains(const std::string& prefix, servo::PidGains& g) {

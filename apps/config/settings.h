@@ -29,6 +29,7 @@ struct FeatureSettings {
   std::string line_method = "stripe";
   std::string line_filter = "none";  ///< "none" or "kalman"
   bool tilt_correction = true;
+  double arc_half_widths = 1.6;  ///< radius of the target point's arc, in halves of the stripe's width
 };
 
 /// As in the files: degrees where the key says so.

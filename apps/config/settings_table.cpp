@@ -77,6 +77,7 @@ void SettingsTable::bind_features(FeatureSettings& f) {
   word("features.line.method", f.line_method, methods);
   word("features.line.filter", f.line_filter, {"none", "kalman"});
   yes_no("features.tilt_correction", f.tilt_correction);
+  number("features.target.arc_half_widths", f.arc_half_widths, 0.5, 20.0);
 }
 
 void SettingsTable::bind_sensors(SensorSettings& s) {

@@ -41,11 +41,13 @@ class SettingsTable {
   void bind_vehicle(vehicle::AirframeParameters& a, vehicle::AutopilotOptions& o);
   void bind_laws(servo::LawOptions& l);
   void bind_ibvs(servo::IbvsLineOptions& o);
+  void bind_ibvs_point(const std::string& prefix, servo::IbvsPointOptions& o);
   void bind_pid(servo::PidOptions& o);
   void bind_grid(servo::GridOptions& o);
   void bind_lfpf(servo::LfpfOptions& o);
   void bind_carrot(servo::CarrotOptions& o);
   void bind_improved_carrot(servo::ImprovedCarrotOptions& o);
+  void bind_vtp(servo::VtpOptions& o);
   void bind_executive(servo::ExecutiveOptions& e);
 
   void number(std::string key, double& value, double low, double high);

@@ -65,6 +65,7 @@ features::PerceptionOptions perception_options(const FeatureSettings& settings,
   const std::string_view method = junction_method(settings, controller);
   features::PerceptionOptions options;
   options.needs = controller.needs;
+  options.target.arc_half_widths = settings.arc_half_widths;
   options.line_method = settings.line_method;
   options.junction_method =
       method == "fpd" ? features::JunctionMethod::fpd : features::JunctionMethod::stripe;

@@ -181,6 +181,7 @@ features::FrameFeatures Flight::extract(const vehicle::Frame& frame, const vehic
   context.height_m = std::max(kLowestHeight_m, at_capture.height_m);
   context.since_last_s =
       record_.ticks.empty() ? 0.0 : vehicle::seconds(frame.stamp - record_.ticks.back().captured);
+  context.on_the_way = executive_.phase() == Phase::follow;
   return perception_.observe(frame.bgr, context);
 }
 

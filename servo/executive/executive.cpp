@@ -251,27 +251,29 @@ VelocityCommand Executive::stay(const Observation& observation, double yaw_rate_
 Command Executive::align(const Observation& observation) {
   const bool holds_marker = tracker_.node_now(observation) && (traits_.servos_on_node || !line_angle_rad_);
   if (holds_marker) return hold_node(observation);
-  if (traits_.servos_on_node) return law_->follow(observation, {0.0, options_.phases.height_m});
+  if (traits_.servos_on_node) return follow_at(observation, 0.0, false);
   return stay(observation, turn_rate(-line_angle_rad_.value_or(0.0), options_.turn));
 }
 
 Command Executive::follow(const Observation& observation) {
   const PlanStep* step = current_step();
-  const Command command = law_->follow(
-      observation, {approach_speed(observation), options_.phases.height_m, step && step->edge_bends});
-  return traits_.steers_heading ? command : with_heading_held(command);
+  return follow_at(observation, approach_speed(observation), step && step->edge_bends);
+}
+
+Command Executive::follow_at(const Observation& observation, double speed_m_s, bool curved) {
+  const bool yaws_itself = traits_.steers_heading || (curved && traits_.yaws_on_bends);
+  const double held_rad_s = yaws_itself ? 0.0 : heading_hold_rad_s();
+  Command command = law_->follow(observation, {speed_m_s, options_.phases.height_m, curved, held_rad_s});
+  auto* velocity = std::get_if<VelocityCommand>(&command);
+  if (velocity && line_angle_rad_ && !yaws_itself) velocity->yaw_rate_rad_s = held_rad_s;
+  return command;
 }
 
 // The published lateral laws take the heading for given: their autopilots have a compass. Indoors there is
 // none, so the line's angle stands in for it, slowly.
-Command Executive::with_heading_held(Command command) const {
-  auto* velocity = std::get_if<VelocityCommand>(&command);
-  if (velocity && line_angle_rad_) {
-    velocity->yaw_rate_rad_s =
-        std::clamp(-options_.heading_gain_per_s * *line_angle_rad_, -options_.heading_rate_limit_rad_s,
-                   options_.heading_rate_limit_rad_s);
-  }
-  return command;
+double Executive::heading_hold_rad_s() const {
+  return std::clamp(-options_.heading_gain_per_s * line_angle_rad_.value_or(0.0),
+                    -options_.heading_rate_limit_rad_s, options_.heading_rate_limit_rad_s);
 }
 
 // Before a node to dock on, and where the line stops: the speed from which the vehicle comes to rest there,

@@ -73,7 +73,8 @@ class Executive {
   VelocityCommand stay(const Observation& observation, double yaw_rate_rad_s = 0.0) const;
   Command align(const Observation& observation);
   Command follow(const Observation& observation);
-  Command with_heading_held(Command command) const;
+  Command follow_at(const Observation& observation, double speed_m_s, bool curved);
+  double heading_hold_rad_s() const;
   VelocityCommand hold_node(const Observation& observation);
   Command hover(const Observation& observation);
   VelocityCommand turn(const Observation& observation);

@@ -18,6 +18,15 @@ constexpr std::string_view kRollTurned = "roll towards the line; printed with th
 constexpr std::string_view kYawTurnedOut = "the line's angle is turned out at a rate, not commanded";
 constexpr std::string_view kAlg2Read = "roll and pitch of Alg. 2 as its text means them";
 constexpr std::string_view kGainsOurs = "gains by pole placement; the paper prints none";
+constexpr std::string_view kPlainLineOnly =
+    "the point counts on a plain line only; past junctions it flies by odometry and the drift learnt";
+constexpr std::string_view kTurnedInHover = "the executive turns it in hover where its paper flies sideways";
+constexpr std::string_view kArcFollowsStripe =
+    "arc of 1.6 half stripe widths and erosion in proportion, unless it flies its own red track";
+constexpr std::string_view kArcNeverSmaller =
+    "arc of 1.6 half stripe widths, but never smaller than the published one, and erosion in proportion";
+constexpr std::string_view kStepsInMetres =
+    "steps in metres, scaled so that a target straight ahead is approached at the speed asked for";
 
 }  // namespace
 
@@ -33,9 +42,29 @@ const std::vector<Controller>& controllers() {
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
          return std::make_unique<IbvsLineLaw>(o.ibvs);
        }},
+      {"ibvs-centroid",
+       "visual servoing on the centroid of the path's mask, docking on nodes (ours)",
+       {true, false},
+       "stripe",
+       {},
+       0.0,
+       {kHeadingHeld, kPlainLineOnly},
+       [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
+         return std::make_unique<IbvsPointLaw>(PathPoint::centroid, o.ibvs_centroid);
+       }},
+      {"ibvs-point",
+       "visual servoing on the virtual target point, docking on nodes (ours)",
+       {true, false},
+       "stripe",
+       {.target_point = true, .least_arc_px = VtpOptions{}.arc_px},
+       0.0,
+       {kHeadingHeld, kPlainLineOnly, kArcNeverSmaller},
+       [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
+         return std::make_unique<IbvsPointLaw>(PathPoint::target, o.ibvs_point);
+       }},
       {"pid",
        "lateral PID on the mask's centroid, fixed turns (topology)",
-       {false, false},
+       {false, false, true},
        "fpd",
        {},
        0.1,
@@ -77,6 +106,14 @@ const std::vector<Controller>& controllers() {
        [](const LawOptions& o) -> std::unique_ptr<FollowLaw> {
          return std::make_unique<ImprovedCarrotLaw>(o.improved_carrot);
        }},
+      {"vtp",
+       "pure pursuit of the virtual target point by position steps (vtp)",
+       {false, false},
+       "fpd",
+       {.target_point = true, .tilt_corrected = false},
+       published_speed_m_s(VtpOptions{}),
+       {kHeadingHeld, kTurnedInHover, kArcFollowsStripe, kStepsInMetres},
+       [](const LawOptions& o) -> std::unique_ptr<FollowLaw> { return std::make_unique<VtpLaw>(o.vtp); }},
   };
   return kControllers;
 }

@@ -9,20 +9,25 @@
 #include "servo/law/carrot_law.h"
 #include "servo/law/grid_law.h"
 #include "servo/law/ibvs_line_law.h"
+#include "servo/law/ibvs_point_law.h"
 #include "servo/law/improved_carrot_law.h"
 #include "servo/law/lfpf_law.h"
 #include "servo/law/pid_law.h"
+#include "servo/law/vtp_law.h"
 
 namespace lineservo::servo {
 
 /// Parameters of every law.
 struct LawOptions {
   IbvsLineOptions ibvs;
+  IbvsPointOptions ibvs_centroid;
+  IbvsPointOptions ibvs_point;
   PidOptions pid;
   GridOptions grid;
   LfpfOptions lfpf;
   CarrotOptions carrot;
   ImprovedCarrotOptions improved_carrot;
+  VtpOptions vtp;
 };
 
 /// What one controller is, for the command line and for the executive.

@@ -11,7 +11,8 @@ namespace lineservo::servo {
 struct FollowGoal {
   double speed_m_s = 0.1;  ///< along the line
   double height_m = 0.5;
-  bool curved = false;  ///< the edge that is followed bends
+  bool curved = false;          ///< the edge that is followed bends
+  double yaw_rate_rad_s = 0.0;  ///< with which the executive holds the heading, for laws that do not steer it
 };
 
 /// What the executive has to do for a law.
@@ -20,6 +21,8 @@ struct LawTraits {
       true;  ///< docks on nodes; otherwise it stops where the code is confirmed, as its paper does
   bool steers_heading =
       true;  ///< otherwise the executive holds the heading on the line, in the place of a compass
+  bool yaws_on_bends =
+      false;  ///< on an edge that bends the law's own yaw counts, whatever holds it elsewhere
 };
 
 /// A law that follows a line: features in, command out. Knows no plan, no clock, no camera.

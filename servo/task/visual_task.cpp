@@ -16,10 +16,12 @@ vpVelocityTwistMatrix level_cVe() {
   return vpVelocityTwistMatrix(vpTranslationVector(0, 0, 0), R_CH);
 }
 
-/// A level quadrotor moves in x, y, z and yaw: 6×4, twist (v, ω).
-vpMatrix level_eJe() {
+/// A level quadrotor moves in x, y, z and yaw: 6×4, twist (v, ω). A yaw that is held is no motion of the
+/// task's.
+vpMatrix level_eJe(VisualTask::Yaw yaw) {
   vpMatrix eJe(6, 4);
-  eJe[0][0] = eJe[1][1] = eJe[2][2] = eJe[5][3] = 1.0;
+  eJe[0][0] = eJe[1][1] = eJe[2][2] = 1.0;
+  eJe[5][3] = yaw == VisualTask::Yaw::commanded ? 1.0 : 0.0;
   return eJe;
 }
 
@@ -56,14 +58,16 @@ Eigen::MatrixXd to_eigen(const vpMatrix& m) {
 }  // namespace
 
 struct VisualTask::Impl {
+  explicit Impl(Yaw yaw) : eJe(level_eJe(yaw)) {}
   vpServo servo;
   const vpVelocityTwistMatrix cVe = level_cVe();
-  const vpMatrix eJe = level_eJe();
+  const vpMatrix eJe;
   unsigned dimension = 0;
   ~Impl() { servo.kill(); }
 };
 
-VisualTask::VisualTask(const AdaptiveGain& gain, InteractionMatrix matrix) : impl_(std::make_unique<Impl>()) {
+VisualTask::VisualTask(const AdaptiveGain& gain, InteractionMatrix matrix, Yaw yaw)
+    : impl_(std::make_unique<Impl>(yaw)) {
   impl_->servo.setServo(vpServo::EYEINHAND_L_cVe_eJe);
   impl_->servo.setInteractionMatrixType(to_visp(matrix), vpServo::PSEUDO_INVERSE);
   impl_->servo.setLambda(gain.at_zero, gain.at_infinity, gain.slope_at_zero);

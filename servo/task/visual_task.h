@@ -33,7 +33,13 @@ struct TaskSolution {
 /// anew each time, and nothing of it shows.
 class VisualTask {
  public:
-  explicit VisualTask(const AdaptiveGain& gain, InteractionMatrix matrix = InteractionMatrix::current);
+  enum class Yaw {
+    commanded,
+    held,  ///< by someone else: J has no column for it, and a secondary yaw rate passes as it is
+  };
+
+  explicit VisualTask(const AdaptiveGain& gain, InteractionMatrix matrix = InteractionMatrix::current,
+                      Yaw yaw = Yaw::commanded);
   ~VisualTask();
   VisualTask(const VisualTask&) = delete;
   VisualTask& operator=(const VisualTask&) = delete;

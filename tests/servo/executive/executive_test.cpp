@@ -61,6 +61,44 @@ struct Bench {
   Time now{0};
 };
 
+/// The yaw rate that reaches the vehicle of a law that says 0.2 rad/s, on an edge of 1 m, five degrees off.
+double yaw_rate_on_an_edge(bool bends, const LawTraits& traits, FollowGoal* asked = nullptr) {
+  Plan plan;
+  plan.steps.push_back({});
+  plan.steps.back().edge_length_m = 1.0;
+  plan.steps.back().edge_bends = bends;
+  Executive executive(plan, std::make_unique<FixedLaw>(VelocityCommand{0.1, 0.0, 0.0, 0.2}, asked), traits,
+                      {});
+  Command command;
+  for (int k = 0; k < 60; ++k) {
+    Observation o;
+    o.now = o.captured = std::chrono::milliseconds(100 * k);
+    features::LineFeature line;
+    line.theta_rad = executive.phase() == Phase::follow ? 0.08 : 0.0;
+    o.features.lines.push_back(line);
+    o.features.code = {features::JunctionCode::straight, features::JunctionCode::straight,
+                       features::JunctionCode::straight};
+    o.height_m = o.capture_height_m = 0.5;
+    command = executive.tick(o, false);
+  }
+  EXPECT_EQ(executive.phase(), Phase::follow);
+  return std::get<VelocityCommand>(command).yaw_rate_rad_s;
+}
+
+TEST(Executive, HoldsTheHeadingForALawThatDoesNotAndTellsItSo) {
+  FollowGoal asked;
+  EXPECT_NEAR(yaw_rate_on_an_edge(false, {false, false}, &asked), -0.04, 1e-12);  // 0.5 / s · 0.08 rad
+  EXPECT_NEAR(asked.yaw_rate_rad_s, -0.04, 1e-12);
+  EXPECT_NEAR(yaw_rate_on_an_edge(false, {false, true}, &asked), 0.2, 1e-12);
+  EXPECT_EQ(asked.yaw_rate_rad_s, 0.0);
+}
+
+TEST(Executive, OnABendTheYawOfALawCountsThatYawsThere) {
+  EXPECT_NEAR(yaw_rate_on_an_edge(true, {false, false, false}), -0.04, 1e-12);
+  EXPECT_NEAR(yaw_rate_on_an_edge(true, {false, false, true}), 0.2, 1e-12);
+  EXPECT_NEAR(yaw_rate_on_an_edge(false, {false, false, true}), -0.04, 1e-12);
+}
+
 TEST(Executive, BeginsWithTheTakeOffAndClimbsWithinTheLimits) {
   Bench bench(VelocityCommand{}, 0.25);
   const auto first = std::get<VelocityCommand>(bench.tick());

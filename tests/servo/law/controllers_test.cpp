@@ -41,6 +41,20 @@ TEST(Controllers, SeeWhatTheirPapersSaw) {
   EXPECT_TRUE(find_controller("grid").needs.tilt_corrected);
 }
 
+TEST(Controllers, OnlyTheVisualServoLawsDock) {
+  for (const Controller& controller : controllers())
+    EXPECT_EQ(controller.traits.servos_on_node, controller.name.starts_with("ibvs")) << controller.name;
+}
+
+TEST(Controllers, WhatFliesOnTheTargetPointAsksForIt) {
+  EXPECT_TRUE(find_controller("vtp").needs.target_point);
+  EXPECT_FALSE(find_controller("vtp").needs.tilt_corrected);  // its paper does not correct for tilt
+  EXPECT_TRUE(find_controller("ibvs-point").needs.target_point);
+  EXPECT_TRUE(find_controller("ibvs-point").needs.tilt_corrected);
+  EXPECT_FALSE(find_controller("ibvs-centroid").needs.target_point);
+  EXPECT_NEAR(find_controller("vtp").published_speed_m_s, 0.5225, 1e-12);
+}
+
 TEST(Controllers, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
   try {
     find_controller("lqr");

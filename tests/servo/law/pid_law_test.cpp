@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <variant>
 #include <vector>
 
@@ -90,6 +91,38 @@ TEST(PidLaw, WithoutALineItStaysSidewaysAtRest) {
   Observation nothing;
   nothing.height_m = 0.5;
   EXPECT_EQ(follow(law, nothing).left_m_s, 0.0);
+}
+
+/// The yaw rate of a second frame, a second after the first, with the same centroid.
+double yaw_on_a_curve(double centroid_px, const PidOptions& options = {}, double height_m = 0.5) {
+  PidLaw law(options);
+  Observation o = seen(centroid_px, JunctionCode::unrecognised);
+  o.height_m = height_m;
+  law.follow(o, {0.1, 0.5, true});
+  o.captured += std::chrono::seconds(1);
+  return std::get<VelocityCommand>(law.follow(o, {0.1, 0.5, true})).yaw_rate_rad_s;
+}
+
+TEST(PidLaw, OnACurveItYawsByTheAngleOfALargeOffset) {
+  // ψ = atan(Δx / 320) for |Δx| > 45 / (2·0.5) = 45 px, clipped to 55 px, within the frame's second.
+  EXPECT_EQ(yaw_on_a_curve(245.0), 0.0);
+  EXPECT_NEAR(yaw_on_a_curve(250.0), -std::atan(50.0 / 320.0), 1e-12);  // to the right: clockwise
+  EXPECT_NEAR(yaw_on_a_curve(150.0), std::atan(50.0 / 320.0), 1e-12);
+  EXPECT_NEAR(yaw_on_a_curve(320.0), -std::atan(55.0 / 320.0), 1e-12);
+  EXPECT_NEAR(yaw_on_a_curve(250.0, {.yaw_focal_px = 200.0}), -std::atan(50.0 / 200.0), 1e-12);
+  EXPECT_NEAR(yaw_on_a_curve(250.0, {.yaw_rate_limit_rad_s = 0.1}), -0.1, 1e-12);
+}
+
+TEST(PidLaw, TheHigherItFliesTheSmallerTheOffsetThatMakesItYaw) {
+  EXPECT_EQ(yaw_on_a_curve(230.0, {}, 0.5), 0.0);
+  EXPECT_NEAR(yaw_on_a_curve(230.0, {}, 1.0), -std::atan(30.0 / 320.0), 1e-12);  // from 22.5 px on
+}
+
+TEST(PidLaw, AFrameThatComesTwiceTurnsNothing) {
+  PidLaw law({});
+  const Observation o = seen(255.0);
+  law.follow(o, {0.1, 0.5, true});
+  EXPECT_EQ(std::get<VelocityCommand>(law.follow(o, {0.1, 0.5, true})).yaw_rate_rad_s, 0.0);
 }
 
 TEST(PidLaw, HoldsTheHeight) {
