@@ -77,7 +77,7 @@ std::optional<ColorChoice> AutoSegmenter::best_of(LineColor color, const cv::Mat
 
 void AutoSegmenter::try_thresholds(LineColor color, const cv::Mat& contrast, WedgeLineFinder& finder,
                                    std::optional<ColorChoice>& best) const {
-  const PaintContrast paint{contrast, full_contrast(contrast), least_width(color)};
+  const PaintContrast paint{contrast, full_contrast(contrast), least_width(color), options_.largest_share};
   if (paint.full < kLevels * least_contrast(color)) return;
   for (const double threshold : options_.thresholds) {
     PackedMask mask = thresholded(contrast, threshold * paint.full);

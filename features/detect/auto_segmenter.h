@@ -19,6 +19,7 @@ struct AutoSegmenterOptions {
   double least_white_width = 0.012;  ///< and of a white one
   double least_black_width = 0.016;  ///< and of a black one: joints between tiles are black and narrower
   double lightness_trust = 0.85;     ///< a line with a hue of its own goes before one without
+  double largest_share = 0.55;       ///< of the image that a line and its arms cover: more is floor
   double min_evidence = 0.3;         ///< below this there is no line
 };
 
