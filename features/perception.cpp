@@ -5,6 +5,7 @@
 
 #include "features/junction/fpd.h"
 #include "features/line/line_methods.h"
+#include "features/line/stripe_stand_in.h"
 
 namespace lineservo::features {
 namespace {
@@ -49,7 +50,9 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), context.view, prior(context));
 
   FrameFeatures features;
-  features.lines = line_detector_ ? detect_lines(bgr, context.view) : stripes.lines;
+  features.lines = line_detector_ ? with_stripes(detect_lines(bgr, context.view), stripes.lines,
+                                                 stripes.junction ? LinesMeet::yes : LinesMeet::no)
+                                  : stripes.lines;
   if (options_.line_filter == LineFilter::kalman) track(features.lines, context);
   features.junction = stripes.junction;
   features.line_end = stripes.line_end;

@@ -42,7 +42,8 @@ struct PerceptionOptions {
   StripePerceptionOptions stripe;
   LineFilter line_filter = LineFilter::none;
   LineTrackerOptions tracker;
-  /// Of line_methods(): where the lines come from. The junctions always rest on the stripes.
+  /// Of line_methods(): where the line to follow comes from. The junctions always rest on the stripes, and
+  /// where one is in view they stand in for a method that cannot tell their lines apart (with_stripes()).
   std::string line_method = "stripe";
   FeatureNeeds needs;  ///< of the law that flies
   TargetOptions target;

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "features/mask/difference_segmenter.h"
 #include "features/mask/segmenter_options.h"
 #include "servo/executive/executive.h"
 #include "servo/law/controllers.h"
@@ -26,6 +27,7 @@ struct FeatureSettings {
   std::string junction_method = "auto";  ///< "fpd", "stripe", or "auto": the controller's own
   int junction_window = 5;
   std::string segmenter = "hsv";
+  features::DifferenceOptions difference;
   std::string line_method = "stripe";
   std::string line_filter = "none";  ///< "none" or "kalman"
   bool tilt_correction = true;

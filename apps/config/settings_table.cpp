@@ -72,6 +72,10 @@ void SettingsTable::bind_features(FeatureSettings& f) {
   std::vector<std::string> segmenters;
   for (const std::string_view name : features::segmenter_names()) segmenters.emplace_back(name);
   word("features.segmenter", f.segmenter, segmenters);
+  number("features.difference.green_divisor", f.difference.green_divisor, 1.0, 255.0);
+  number("features.difference.blue_divisor", f.difference.blue_divisor, 1.0, 255.0);
+  number("features.difference.threshold", f.difference.threshold, 0.0, 255.0);
+  whole("features.difference.erosion_px", f.difference.erosion_px, 1, 64);
   std::vector<std::string> methods;
   for (const features::LineMethod& method : features::line_methods()) methods.emplace_back(method.name);
   word("features.line.method", f.line_method, methods);

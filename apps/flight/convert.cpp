@@ -71,6 +71,7 @@ features::PerceptionOptions perception_options(const FeatureSettings& settings,
       method == "fpd" ? features::JunctionMethod::fpd : features::JunctionMethod::stripe;
   options.junction_window = settings.junction_window;
   options.path.name = settings.segmenter;
+  options.path.difference = settings.difference;
   if (settings.segmenter == "svm") options.path.svm_model = shipped_text("models/yellow.yaml");
   options.line_filter =
       settings.line_filter == "kalman" ? features::LineFilter::kalman : features::LineFilter::none;

@@ -76,7 +76,7 @@ std::optional<ColorChoice> AutoSegmenter::best_of(const Bar& bar, const cv::Mat&
   std::optional<ColorChoice> best;
   for (const ContrastReach& reach : options_.reaches) {
     const cv::Mat contrast = color_contrast(bgr, bar.color, reach);
-    const PaintContrast paint{contrast, full_contrast(contrast), bar.least_width};
+    const PaintContrast paint{contrast, full_contrast(contrast), bar.least_width, options_.largest_share};
     if (paint.full < kLevels * bar.least_contrast) continue;
     try_thresholds(bar, paint, trust(bar, std::min(paint.full, most)), finder, best);
   }

@@ -23,6 +23,7 @@ struct AutoSegmenterOptions {
   double plain_black = 0.65;             ///< of black; shadows reach 0.5
   double plain_grey = 0.28;  ///< of both in a grey picture, where paint of any hue is but lighter or darker
   double lightness_trust = 0.85;  ///< a line with a hue of its own goes before one without
+  double largest_share = 0.7;     ///< of the image that a line and its arms cover: more is floor
   double min_evidence = 0.35;     ///< below this there is no line
 };
 

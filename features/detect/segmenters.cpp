@@ -3,8 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "features/detect/auto_segmenter.h"
-#include "features/mask/difference_segmenter.h"
+#include "features/detect/steady_segmenter.h"
 #include "features/mask/hsv_segmenter.h"
 #include "features/mask/svm_segmenter.h"
 
@@ -16,10 +15,10 @@ std::vector<std::string_view> segmenter_names() {
 
 std::unique_ptr<Segmenter> make_segmenter(const SegmenterChoice& choice) {
   if (choice.name == "hsv") return std::make_unique<HsvSegmenter>(choice.color);
-  if (choice.name == "difference") return std::make_unique<DifferenceSegmenter>();
+  if (choice.name == "difference") return std::make_unique<DifferenceSegmenter>(choice.difference);
   if (choice.name == "svm")
     return std::make_unique<SvmSegmenter>(ColorSvm::from_text(std::string(choice.svm_model)));
-  if (choice.name == "auto") return std::make_unique<AutoSegmenter>();
+  if (choice.name == "auto") return std::make_unique<SteadySegmenter>();
   throw std::invalid_argument("no segmenter '" + std::string(choice.name) +
                               "'; there are: hsv, difference, svm, auto");
 }

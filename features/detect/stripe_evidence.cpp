@@ -7,9 +7,9 @@
 namespace lineservo::features {
 namespace {
 
-constexpr double kLeastShare = 0.002, kLargestShare = 0.7;  // of the image that is paint
-constexpr double kLongEnough = 0.5;                         // of the image's shorter side
-constexpr double kSlender = 2.0;                            // length over width
+constexpr double kLeastShare = 0.002;  // of the image that is paint
+constexpr double kLongEnough = 0.5;    // of the image's shorter side
+constexpr double kSlender = 2.0;       // length over width
 constexpr double kBeside = 0.02;    // of the image's shorter side, from a border, where contrast is looked at
 constexpr double kNoStep = 0.15;    // of the full contrast: so soft is no border
 constexpr double kFullStep = 0.6;   // so sharp is sharp enough
@@ -121,7 +121,7 @@ double judge(const PackedMask& mask, const PaintContrast& paint, const MaskGeome
   std::erase_if(seen.lines, [&](const WedgeLine& line) { return !is_credible(line, paint, geometry); });
   for (WedgeLine& line : seen.lines) line.evidence = line_evidence(line, paint, geometry);
   const double share = static_cast<double>(mask.count()) / (mask.width() * mask.height());
-  if (share < kLeastShare || share > kLargestShare) return 0.0;
+  if (share < kLeastShare || share > paint.largest_share) return 0.0;
   return evidence_of(seen.lines) *
          (kUnexplained + (1.0 - kUnexplained) * explained_share(mask, seen.lines, geometry));
 }

@@ -8,9 +8,10 @@ namespace lineservo::features {
 
 /// What is known of the paint that a mask shows.
 struct PaintContrast {
-  cv::Mat contrast;          ///< CV_8UC1, the size of the mask
-  double full = 0.0;         ///< of the paint, in levels
-  double least_width = 0.0;  ///< of a line, in widths of the image: joints between tiles are narrower
+  cv::Mat contrast;            ///< CV_8UC1, the size of the mask
+  double full = 0.0;           ///< of the paint, in levels
+  double least_width = 0.0;    ///< of a line, in widths of the image: joints between tiles are narrower
+  double largest_share = 0.7;  ///< of the image that may be paint
 };
 
 /// How sharp the borders of a line are: the step of the contrast across the softer one, 1 when it is that of

@@ -1,30 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "features/line/border_points.h"
+#include "features/line/border_field.h"
 
 namespace lineservo::features {
-
-/// What became of a border point while stripes are searched.
-enum class PointUse : std::uint8_t {
-  free,      ///< may vote for a new stripe
-  deferred,  ///< its direction has been tried in this pass
-  spent      ///< on the border of a stripe that was found, or inside it
-};
-
-/// The direction in which most of the free border runs.
-struct DirectionPeak {
-  double theta_rad = 0.0;  ///< of the normal, in (−π/2, π/2]
-  double length = 0.0;     ///< of border within a few degrees
-};
-
-/// The strongest direction among the free points, or none if there is no free point.
-std::optional<DirectionPeak> strongest_direction(const std::vector<BorderPoint>& points,
-                                                 const std::vector<PointUse>& use);
 
 /// A border seen edge-on: the offset at which many points of one kind lie.
 struct OffsetPeak {
@@ -37,7 +18,7 @@ class OffsetVotes {
  public:
   static constexpr double kGate_rad = 10.0 * 3.14159265358979323846 / 180.0;
 
-  OffsetVotes(const std::vector<BorderPoint>& points, const std::vector<PointUse>& use, double theta_rad);
+  OffsetVotes(const BorderField& border, double theta_rad);
 
   /// Local maxima of at least `min_length` of border and not far below the longest, ordered by offset.
   /// Rising: the paint lies at larger ρ.
@@ -47,6 +28,7 @@ class OffsetVotes {
   static constexpr int kBins = 340;
   static constexpr double kBin = 0.01;
   std::array<std::array<double, kBins>, 2> length_ = {};  ///< falling, rising
+  std::size_t first_ = kBins, last_ = 0;                  ///< bins that hold any
 };
 
 }  // namespace lineservo::features

@@ -49,12 +49,11 @@ StripeFinder::StripeFinder(const StripeOptions& options) : options_(options) {
 void StripeFinder::find(const LevelMask& mask, const std::vector<BorderPoint>& points,
                         const std::optional<StripePrior>& prior, std::vector<Stripe>& stripes) {
   mask_ = &mask;
-  points_ = &points;
   stripes_ = &stripes;
   stripes.clear();
-  use_.assign(points.size(), PointUse::free);
+  border_.assign(points);
   search_pairs();
-  std::replace(use_.begin(), use_.end(), PointUse::deferred, PointUse::free);
+  border_.release_deferred();
   search_single_borders(prior);
   drop_wear();
   rank(prior);
@@ -62,7 +61,7 @@ void StripeFinder::find(const LevelMask& mask, const std::vector<BorderPoint>& p
 
 void StripeFinder::search_pairs() {
   for (int round = 0; round < kRounds && std::ssize(*stripes_) < options_.max_stripes; ++round) {
-    const auto peak = strongest_direction(*points_, use_);
+    const auto peak = border_.strongest_direction();
     if (!peak || peak->length < options_.min_border_length) return;
     if (!take_pair(peak->theta_rad)) defer_direction(peak->theta_rad);
   }
@@ -70,14 +69,14 @@ void StripeFinder::search_pairs() {
 
 void StripeFinder::search_single_borders(const std::optional<StripePrior>& prior) {
   for (int round = 0; round < kRounds && std::ssize(*stripes_) < options_.max_stripes; ++round) {
-    const auto peak = strongest_direction(*points_, use_);
+    const auto peak = border_.strongest_direction();
     if (!peak || peak->length < options_.min_border_length) return;
     if (!take_single_border(peak->theta_rad, known_width(prior))) defer_direction(peak->theta_rad);
   }
 }
 
 bool StripeFinder::take_pair(double theta_rad) {
-  const OffsetVotes votes(*points_, use_, theta_rad);
+  const OffsetVotes votes(border_, theta_rad);
   const std::vector<OffsetPeak> falling = votes.peaks(false, kPeakLength);
   candidates_.clear();
   for (const OffsetPeak& near : votes.peaks(true, kPeakLength)) {
@@ -98,7 +97,7 @@ bool StripeFinder::take_pair(double theta_rad) {
 }
 
 bool StripeFinder::take_single_border(double theta_rad, double known_width) {
-  const OffsetVotes votes(*points_, use_, theta_rad);
+  const OffsetVotes votes(border_, theta_rad);
   const double needed =
       known_width > 0.0 ? std::max(options_.min_border_length, 0.3 * known_width) : kUnhinted;
   for (const bool rising : {true, false}) {
@@ -122,11 +121,12 @@ bool StripeFinder::take_single_border(double theta_rad, double known_width) {
 }
 
 bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_borders) {
-  auto fit = fit_stripe(*points_, start, width);
+  auto fit = fit_stripe(border_.near(start.theta_rad), start, width);
   if (!fit) return false;
   // A glimpse of the other border beats the width that was assumed.
   if (!both_borders && std::min(fit->rising_length, fit->falling_length) > kPeakLength)
-    if (const auto freed = fit_stripe(*points_, fit->course, WidthIs::free)) fit = freed;
+    if (const auto freed = fit_stripe(border_.near(fit->course.theta_rad), fit->course, WidthIs::free))
+      fit = freed;
   const double length = fit->rising_length + fit->falling_length;
   const double per_width = both_borders ? options_.min_border_widths : 0.3;
   if (length < std::max(options_.min_border_length, per_width * fit->course.width)) return false;
@@ -171,28 +171,30 @@ bool StripeFinder::only_one_border_in_view(const StripeCourse& course, double si
 void StripeFinder::spend_points_of(const Stripe& stripe) {
   const StripeAxes axes(stripe.course);
   const double half = 0.5 * stripe.course.width;
-  for (std::size_t i = 0; i < points_->size(); ++i) {
-    const BorderPoint& point = (*points_)[i];
+  for (std::size_t i = 0; i < border_.size(); ++i) {
+    const BorderPoint& point = border_.at(i);
     const double across = std::abs(axes.across(point.p_L));
     const double along = axes.along(point.p_L);
     const bool beside = along > stripe.begin.along - kBesideEnd && along < stripe.end.along + kBesideEnd;
     const bool inside = across < half + 0.5 * kOwn && beside;
     const bool own = across < half + kOwn && std::abs(point.normal.dot(axes.normal())) > kFacing;
-    if (inside || (own && across > half - kOwn)) use_[i] = PointUse::spent;
+    if (inside || (own && across > half - kOwn)) border_.set_use(i, PointUse::spent);
   }
 }
 
 void StripeFinder::defer_direction(double theta_rad) {
-  for (std::size_t i = 0; i < points_->size(); ++i)
-    if (use_[i] == PointUse::free && axis_difference((*points_)[i].theta_rad, theta_rad) < kTried_rad)
-      use_[i] = PointUse::deferred;
+  for (const BorderPoint& point : border_.near(theta_rad)) {
+    const std::size_t i = border_.number(point);
+    if (border_.use(i) == PointUse::free && axis_difference(point.theta_rad, theta_rad) < kTried_rad)
+      border_.set_use(i, PointUse::deferred);
+  }
 }
 
 StripeFinder::Support StripeFinder::support(const StripeCourse& course) const {
   const StripeAxes axes(course);
   Support range{.from = std::numeric_limits<double>::infinity(),
                 .to = -std::numeric_limits<double>::infinity()};
-  for (const BorderPoint& point : *points_) {
+  for (const BorderPoint& point : border_.near(course.theta_rad)) {
     if (std::abs(border_residual(point, course, axes.normal())) > kNear) continue;
     if (std::abs(point.normal.dot(axes.normal())) < kFacing) continue;
     const double along = axes.along(point.p_L);

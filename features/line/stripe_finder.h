@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "features/line/border_points.h"
+#include "features/line/border_field.h"
 #include "features/line/border_votes.h"
 #include "features/line/stripe.h"
 #include "features/line/stripe_fit.h"
@@ -69,9 +69,8 @@ class StripeFinder {
   StripeOptions options_;
   // Of the frame in hand:
   const LevelMask* mask_ = nullptr;
-  const std::vector<BorderPoint>* points_ = nullptr;
   std::vector<Stripe>* stripes_ = nullptr;
-  std::vector<PointUse> use_;
+  BorderField border_;
   std::vector<Candidate> candidates_;
 };
 

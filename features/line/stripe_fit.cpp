@@ -28,7 +28,7 @@ struct NormalEquations {
 };
 
 // r = p·n(θ) − ρ ± w/2 (+ where the paint lies at larger ρ), so with t = p·n'(θ): dr = t dθ − dρ ± dw/2.
-NormalEquations accumulate(const std::vector<BorderPoint>& points, const StripeCourse& course, double reach) {
+NormalEquations accumulate(std::span<const BorderPoint> points, const StripeCourse& course, double reach) {
   NormalEquations sums;
   const Eigen::Vector2d n = course.normal();
   const Eigen::Vector2d tangent = -course.forward();
@@ -83,7 +83,7 @@ StripeCourse canonical(StripeCourse course) {
 
 }  // namespace
 
-std::optional<StripeFit> fit_stripe(const std::vector<BorderPoint>& points, const StripeCourse& start,
+std::optional<StripeFit> fit_stripe(std::span<const BorderPoint> points, const StripeCourse& start,
                                     WidthIs width) {
   StripeFit fit{.course = start};
   double reach = kFirstReach;

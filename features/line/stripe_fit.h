@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "features/line/border_points.h"
 #include "features/line/stripe.h"
@@ -22,7 +22,7 @@ enum class WidthIs { free, known };
 
 /// Fits one direction, offset and (unless it is known) width to both borders of a stripe at once, by
 /// iteratively reweighted least squares with Tukey's weights. None if too little border supports it.
-std::optional<StripeFit> fit_stripe(const std::vector<BorderPoint>& points, const StripeCourse& start,
+std::optional<StripeFit> fit_stripe(std::span<const BorderPoint> points, const StripeCourse& start,
                                     WidthIs width);
 
 /// The signed distance of a point from the stripe's border of the point's own kind.

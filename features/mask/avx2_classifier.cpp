@@ -246,7 +246,27 @@ LINESERVO_AVX2_INLINE std::uint32_t bits(__m256i mask) {
 struct TestTables {
   ClassTables path, marker;
   __m256i v_least, chroma_least;  // of a pixel of either class
+  __m256i plain_path;             // all ones when pixels that are plainly path may be told by plain_green()
 };
+
+int half(int x) {
+  return (x + 1) / 2;
+}
+
+int three_quarters(int x) {
+  return (x + half(x) + 1) / 2;
+}
+
+// Pure green-reds: whether c ≥ v/2 and g − b ≥ 3/4 c make any pixel path and none marker.
+bool plain_green_is_path(const RedSectorTest& test) {
+  if (test.path.inside || !test.marker.inside) return false;
+  for (int v = test.path.v_min; v < 256; ++v)
+    if (test.path.chroma_min.at(v) > half(v)) return false;
+  for (int c = half(test.path.v_min); c < 256; ++c)
+    if (c == 0 || std::max(test.path.greener.at(c), test.marker.greener.at(c)) >= three_quarters(c))
+      return false;
+  return true;
+}
 
 int least_chroma(const RedSectorClass& color) {
   int least = 255;
@@ -254,10 +274,21 @@ int least_chroma(const RedSectorClass& color) {
   return least;
 }
 
-LINESERVO_AVX2_INLINE TestTables tables(const RedSectorTest& test, int chroma_least) {
+LINESERVO_AVX2_INLINE TestTables tables(const RedSectorTest& test, const Avx2Classifier::Limits& limits) {
   return {tables(test.path), tables(test.marker),
           _mm256_set1_epi8(static_cast<char>(std::min(test.path.v_min, test.marker.v_min))),
-          _mm256_set1_epi8(static_cast<char>(chroma_least))};
+          _mm256_set1_epi8(static_cast<char>(limits.chroma_least)),
+          _mm256_set1_epi8(limits.plain_green_is_path ? -1 : 0)};
+}
+
+// Yellow paint without the tables: bright, of at least half the full saturation, and far from red.
+LINESERVO_AVX2_INLINE __m256i plain_green(__m256i v, __m256i chroma, __m256i greener,
+                                          const TestTables& test) {
+  const __m256i zero = _mm256_setzero_si256();
+  const __m256i half_v = _mm256_avg_epu8(v, zero), half_chroma = _mm256_avg_epu8(chroma, zero);
+  const __m256i far = at_least(greener, _mm256_avg_epu8(chroma, half_chroma));
+  const __m256i bright = _mm256_and_si256(at_least(v, test.path.v_min), at_least(chroma, half_v));
+  return _mm256_and_si256(_mm256_and_si256(bright, far), test.plain_path);
 }
 
 struct GroupMasks {
@@ -269,8 +300,11 @@ LINESERVO_AVX2_INLINE GroupMasks classify_group(__m256i b, __m256i g, __m256i r,
   const __m256i chroma = _mm256_sub_epi8(v, _mm256_min_epu8(_mm256_min_epu8(b, g), r));
   const __m256i any = _mm256_and_si256(at_least(v, test.v_least), at_least(chroma, test.chroma_least));
   if (_mm256_testz_si256(any, any)) return {};  // bare floor, as most groups are
+  const __m256i greener = _mm256_subs_epu8(g, b);
+  const __m256i plain = _mm256_and_si256(plain_green(v, chroma, greener, test), any);
+  if (_mm256_testc_si256(plain, any)) return {bits(plain), 0};  // and of the others most hold paint alone
   const CurveArgument value = split(v);
-  const Pixels p{v, _mm256_cmpeq_epi8(v, r), _mm256_subs_epu8(g, b), _mm256_subs_epu8(b, g), split(chroma)};
+  const Pixels p{v, _mm256_cmpeq_epi8(v, r), greener, _mm256_subs_epu8(b, g), split(chroma)};
   const __m256i path =
       _mm256_and_si256(bright_and_saturated(test.path, value, chroma), has_hue(test.path, p));
   const __m256i marker_hue = has_hue(test.marker, p);
@@ -288,10 +322,10 @@ inline void put_group(PackedMask::Word* row, int x, PackedMask::Word bits) {
 
 // Returns the number of marker pixels among the first width.
 LINESERVO_AVX2 int classify_row(const std::int16_t* upper, const std::int16_t* lower, const BilinearTap& tap,
-                                const RedSectorTest& test, int chroma_least, int width,
+                                const RedSectorTest& test, const Avx2Classifier::Limits& limits, int width,
                                 PackedMask::Word* path, PackedMask::Word* marker) {
   const RowWeights weights{_mm256_set1_epi16(tap.w0), _mm256_set1_epi16(tap.w1)};
-  const TestTables test_tables = tables(test, chroma_least);
+  const TestTables test_tables = tables(test, limits);
   int marker_pixels = 0;
   for (int x = 0; x < width; x += kGroup, upper += kGroupWords, lower += kGroupWords) {
     const __m256i b = blend_bytes(upper, lower, weights);
@@ -316,7 +350,7 @@ std::int16_t* aligned(std::vector<std::int16_t>& row) {
 Avx2Classifier::Avx2Classifier(const SegmenterOptions& options, const RedSectorTest& test,
                                cv::Size frame_size)
     : test_(test),
-      chroma_least_(std::min(least_chroma(test.path), least_chroma(test.marker))),
+      limits_{std::min(least_chroma(test.path), least_chroma(test.marker)), plain_green_is_path(test)},
       width_(options.width_px),
       rows_(bilinear_rows(frame_size.height, options.height_px)) {
   const std::vector<BilinearTap> columns = bilinear_columns(frame_size.width, options.width_px);
@@ -332,8 +366,8 @@ int Avx2Classifier::classify(const cv::Mat& frame, PackedMask& path, PackedMask&
     const std::int16_t* upper = resized_row(frame, rows_[y].i0);
     const std::int16_t* lower = resized_row(frame, rows_[y].i1);
     marker_pixels +=
-        classify_row(upper, lower, rows_[y], test_, chroma_least_, width_,
-                     path.row(static_cast<int>(y)).data(), marker.row(static_cast<int>(y)).data());
+        classify_row(upper, lower, rows_[y], test_, limits_, width_, path.row(static_cast<int>(y)).data(),
+                     marker.row(static_cast<int>(y)).data());
   }
   return marker_pixels;
 }

@@ -29,11 +29,18 @@ class Avx2Classifier : public FrameClassifier {
     std::array<std::int8_t, 32> weight_high{}, weight_low{};  ///< (w0, w1) = 64 · high + low
   };
 
+  /// What decides on most pixels before the exact test.
+  struct Limits {
+    int chroma_least = 0;  ///< of a pixel of either class
+    bool plain_green_is_path =
+        false;  ///< c ≥ v/2 and g − b ≥ 3/4 c make any bright pixel path and none marker
+  };
+
  private:
   const std::int16_t* resized_row(const cv::Mat& frame, int y);
 
   RedSectorTest test_;
-  int chroma_least_;  // of a pixel of either class
+  Limits limits_;
   int width_;
   bool pairs_are_near_;
   std::vector<Gather> gathers_;

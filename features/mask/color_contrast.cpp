@@ -91,10 +91,15 @@ cv::Mat compared(const cv::Mat& cue, const cv::Mat& floor, LineColor color) {
 
 }  // namespace
 
-cv::Mat color_contrast(const cv::Mat& bgr, LineColor color, ContrastReach reach) {
-  const bool paint_is_darker = color == LineColor::black;
+cv::Mat color_cue(const cv::Mat& bgr, LineColor color) {
   cv::Mat cue = is_hue(color) ? hue_cue(bgr, color) : lightness(bgr);
   cv::blur(cue, cue, {3, 3});
+  return cue;
+}
+
+cv::Mat color_contrast(const cv::Mat& bgr, LineColor color, ContrastReach reach) {
+  const bool paint_is_darker = color == LineColor::black;
+  const cv::Mat cue = color_cue(bgr, color);
   const cv::Mat floor = reach.share < 1.0 ? floor_around(cue, paint_is_darker, reach.share)
                                           : floor_of_image(cue, paint_is_darker, reach.floor_share);
   if (!is_hue(color)) return compared(cue, floor, color);

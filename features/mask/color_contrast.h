@@ -22,4 +22,7 @@ struct ContrastReach {
 /// survives it, crossings neither.
 cv::Mat color_contrast(const cv::Mat& bgr, LineColor color, ContrastReach reach);
 
+/// What color_contrast() compares: saturation of the colour's hue, or lightness for white and black. CV_8UC1.
+cv::Mat color_cue(const cv::Mat& bgr, LineColor color);
+
 }  // namespace lineservo::features

@@ -110,7 +110,7 @@ void Executive::observe(const Observation& observation) {
     line_angle_rad_.reset();
     line_offset_m_.reset();
   }
-  if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.norm();
+  if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.x();
   last_odometry_ = observation.odometry_now;
 
   node_ = phase_ == Phase::follow

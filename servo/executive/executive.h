@@ -106,7 +106,7 @@ class Executive {
   bool goal_held_ = false;
   Time line_seen_{0};
   std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
-  double travelled_m_ = 0.0;
+  double travelled_m_ = 0.0;  ///< forward: swaying from side to side brings no node nearer
   Time node_passed_{0};  ///< or the start of the leg
   std::optional<Motion> last_odometry_;
   Eigen::Vector2d velocity_H_m_s_ = Eigen::Vector2d::Zero();  ///< averaged, drift included over a node

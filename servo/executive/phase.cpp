@@ -82,7 +82,8 @@ bool at_height(const Situation& s, const PhaseOptions& o) {
 
 bool aligned(const Situation& s, const PhaseOptions& o) {
   if (!s.line_angle_rad || std::abs(*s.line_angle_rad) > o.align_angle_rad) return false;
-  return !s.servos_on_node || (s.line_offset_m && std::abs(*s.line_offset_m) < o.align_offset_m);
+  const std::optional<double>& off_m = s.node_distance_m ? s.node_distance_m : s.line_offset_m;
+  return !s.servos_on_node || (off_m && std::abs(*off_m) < o.align_offset_m);
 }
 
 bool docked(const Situation& s, const PhaseOptions& o) {

@@ -61,7 +61,7 @@ struct Situation {
   double since_node_s = 0.0;
   const PlanStep* step = nullptr;         ///< what is expected next
   std::optional<NodeSighting> node;       ///< told in this tick
-  std::optional<double> node_distance_m;  ///< of the node that is docked on
+  std::optional<double> node_distance_m;  ///< of the node that is docked on, or of the start marker
   double speed_m_s = 0.0;
   double turn_left_rad = 0.0;
   bool servos_on_node = false;  ///< the law docks; others stop on the confirmed code
@@ -70,6 +70,7 @@ struct Situation {
 
 /// Each is one condition of the transition function.
 bool at_height(const Situation& s, const PhaseOptions& o);
+/// On the line's heading; a law that docks also above the start marker or, without one, on the line.
 bool aligned(const Situation& s, const PhaseOptions& o);
 bool docked(const Situation& s, const PhaseOptions& o);
 /// By the next line's angle; a law that turns where its code came may not see that line yet and goes by the

@@ -14,6 +14,7 @@ namespace lineservo {
 namespace {
 
 using features::Processor;
+using support::stock_densities;
 using support::StockSegmentation;
 
 const cv::Size kVga(640, 480), kFullHd(1920, 1080);
@@ -30,15 +31,6 @@ StockSegmentation stock_after_all_steps() {
   StockSegmentation stock;
   stock.segment(frame());
   return stock;
-}
-
-// The stock way to densities: one count for each of the 80 bins.
-int stock_densities(const cv::Mat& mask) {
-  int sum = 0;
-  for (int k = 0; k < 40; ++k)
-    sum += cv::countNonZero(mask.colRange(10 * k, 10 * k + 10)) +
-           cv::countNonZero(mask.rowRange(10 * k, 10 * k + 10));
-  return sum;
 }
 
 void StockResize(benchmark::State& state) {

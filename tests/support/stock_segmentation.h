@@ -47,4 +47,13 @@ class StockSegmentation {
   cv::Mat kernel_ = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
 };
 
+/// The stock way to densities: one count for each of the 80 bins.
+inline int stock_densities(const cv::Mat& mask) {
+  int sum = 0;
+  for (int k = 0; k < 40; ++k)
+    sum += cv::countNonZero(mask.colRange(10 * k, 10 * k + 10)) +
+           cv::countNonZero(mask.rowRange(10 * k, 10 * k + 10));
+  return sum;
+}
+
 }  // namespace lineservo::support

@@ -56,18 +56,30 @@ TEST(Predicate, AtHeight) {
                           {"too high", false, [](Situation& s) { s.height_m = 0.531; }}});
 }
 
+/// On the line, and no start marker in view.
+Change without_marker(Change change) {
+  return [change](Situation& s) {
+    s.node_distance_m.reset();
+    change(s);
+  };
+}
+
 TEST(Predicate, Aligned) {
-  expect_rows(aligned, {{"on the line", true, [](Situation&) {}},
-                        {"within the angle", true, [](Situation& s) { s.line_angle_rad = -0.025; }},
-                        {"beyond the angle", false, [](Situation& s) { s.line_angle_rad = -0.027; }},
-                        {"within the offset", true, [](Situation& s) { s.line_offset_m = -0.019; }},
-                        {"beyond the offset", false, [](Situation& s) { s.line_offset_m = -0.021; }},
-                        {"no angle", false, [](Situation& s) { s.line_angle_rad.reset(); }},
-                        {"no offset", false, [](Situation& s) { s.line_offset_m.reset(); }},
-                        {"offset of a law that only turns", true,
-                         [](Situation& s) { s.line_offset_m = 0.1, s.servos_on_node = false; }},
-                        {"angle of a law that only turns", false,
-                         [](Situation& s) { s.line_angle_rad = 0.1, s.servos_on_node = false; }}});
+  expect_rows(aligned,
+              {{"on the line", true, without_marker([](Situation&) {})},
+               {"within the angle", true, without_marker([](Situation& s) { s.line_angle_rad = -0.025; })},
+               {"beyond the angle", false, without_marker([](Situation& s) { s.line_angle_rad = -0.027; })},
+               {"within the offset", true, without_marker([](Situation& s) { s.line_offset_m = -0.019; })},
+               {"beyond the offset", false, without_marker([](Situation& s) { s.line_offset_m = -0.021; })},
+               {"no angle", false, without_marker([](Situation& s) { s.line_angle_rad.reset(); })},
+               {"no offset", false, without_marker([](Situation& s) { s.line_offset_m.reset(); })},
+               {"above the marker, whatever the line's offset", true,
+                [](Situation& s) { s.line_offset_m = 0.18, s.node_distance_m = 0.019; }},
+               {"beside the marker", false, [](Situation& s) { s.node_distance_m = 0.021; }},
+               {"offset of a law that only turns", true,
+                [](Situation& s) { s.line_offset_m = 0.1, s.servos_on_node = false; }},
+               {"angle of a law that only turns", false,
+                [](Situation& s) { s.line_angle_rad = 0.1, s.servos_on_node = false; }}});
 }
 
 TEST(Predicate, Docked) {

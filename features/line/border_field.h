@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "features/line/border_points.h"
+
+namespace lineservo::features {
+
+/// What became of a border point while stripes are searched.
+enum class PointUse : std::uint8_t {
+  free,      ///< may vote for a new stripe
+  deferred,  ///< its direction has been tried in this pass
+  spent      ///< on the border of a stripe that was found, or inside it
+};
+
+/// The direction in which most of the free border runs.
+struct DirectionPeak {
+  double theta_rad = 0.0;  ///< of the normal, in (−π/2, π/2]
+  double length = 0.0;     ///< of border within a few degrees
+};
+
+/// The border points of a frame, ordered by direction, and what became of each. Worn paint has thousands of
+/// points that look every way; a stripe has to do with those that look its own.
+class BorderField {
+ public:
+  static constexpr int kDirections = 180;  ///< bins of 1° over half a turn
+  static constexpr int kReach = 32;        ///< bins to either side that near() gives at least
+
+  /// Takes over the points of a frame, all of them free.
+  void assign(const std::vector<BorderPoint>& points);
+
+  std::size_t size() const { return use_.size(); }
+  const BorderPoint& at(std::size_t i) const { return points_[i]; }
+  PointUse use(std::size_t i) const { return use_[i]; }
+  void set_use(std::size_t i, PointUse use);
+  /// Deferred points are free again.
+  void release_deferred();
+
+  /// All points whose axis lies within 30° of a direction (modulo π), and few others.
+  std::span<const BorderPoint> near(double theta_rad) const;
+  /// The number of a point of near().
+  std::size_t number(const BorderPoint& point) const;
+
+  /// The strongest direction among the free points, or none if there is no free point.
+  std::optional<DirectionPeak> strongest_direction();
+
+ private:
+  std::size_t first_of(int bin) const;
+  void measure_bins();
+
+  std::vector<BorderPoint> points_;  ///< ordered by bin; those of the first bins once more at the end
+  std::vector<PointUse> use_;
+  std::vector<std::uint8_t> bins_;
+  std::array<std::uint32_t, kDirections + 1> first_ = {};  ///< of each bin
+  std::array<double, kDirections> free_length_ = {};       ///< of each bin
+  std::array<bool, kDirections> is_stale_ = {};            ///< its free length
+};
+
+}  // namespace lineservo::features
