@@ -29,7 +29,7 @@ int wrong_pixels(const PackedMask& mask, const cv::Mat& picture, const cv::Scala
 }
 
 TEST(SteadySegmenter, KeepsTheColourOverABroadCrossing) {
-  const cv::Mat crossing = floor_with(kYellow, 84, true);  // two thirds of it paint
+  const cv::Mat crossing = floor_with(kYellow, 100, true);  // three quarters of it paint
   SteadySegmenter segmenter;
   for (int k = 0; k < 3; ++k) segmenter.segment(floor_with(kYellow, 84), kSize);
   ASSERT_EQ(segmenter.color(), LineColor::yellow);
