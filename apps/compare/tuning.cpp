@@ -17,11 +17,12 @@ namespace {
 
 constexpr double kLargestFactor = 8.0;  // of a parameter, about its published value
 
-// Saturations and guards, how the image is cut, the pace in bends, which no training flight has, and what
-// turns pitch into speed or a law's units into radians: they say when and how fast, not how well a law
-// follows.
-constexpr std::array<std::string_view, 9> kNotTuned = {
-    "limit", "coast_s", "view_margin", "view_angle", "width", "bend_", "pitch_speed", "channel_us", "max_"};
+// Saturations and guards, how the image is cut, the pace and the yaw in bends, which no training flight has,
+// and what turns pitch or steps into speed or a law's units into others: they say when and how fast, not how
+// well a law follows.
+constexpr std::array<std::string_view, 14> kNotTuned = {
+    "limit",      "coast_s", "view_margin", "view_angle", "width",     "bend_",  "pitch_speed",
+    "channel_us", "max_",    "yaw_gamma",   "yaw_clip",   "yaw_focal", "arc_px", "step_m_per_px"};
 
 struct TrainingTrack {
   const char* instruction;

@@ -23,6 +23,8 @@ std::vector<std::string> keys(const std::string& controller) {
 TEST(TunableParameters, AreTheGainsOfTheLawAndOfDockingForThoseThatDock) {
   EXPECT_THAT(keys("pid"),
               ::testing::ElementsAre("servo.pid.kp", "servo.pid.ki", "servo.pid.kd", "servo.pid.dead_zone"));
+  EXPECT_THAT(keys("vtp"), ::testing::ElementsAre("servo.vtp.change_m_per_px", "servo.vtp.change_px",
+                                                  "servo.vtp.period_s"));
   EXPECT_THAT(keys("ibvs"),
               AllOf(Contains("servo.ibvs.gain_at_zero"), Contains("servo.dock.gain_at_zero"),
                     Not(Contains("servo.ibvs.view_margin")), Not(Contains("servo.ibvs.drift_limit_m_s"))));
