@@ -14,10 +14,6 @@ constexpr double kFullQuantile = 0.995;  // a line covers more of the image than
 constexpr ContrastReach kWholePicture{.share = 1.0, .floor_share = 0.25};
 constexpr double kLevels = 255.0;
 
-bool is_hue(LineColor color) {
-  return color == LineColor::yellow || color == LineColor::red;
-}
-
 /// The contrast that all but the strongest half per cent of the pixels stay under.
 double full_contrast(const cv::Mat& contrast) {
   std::vector<std::uint8_t> levels(contrast.begin<std::uint8_t>(), contrast.end<std::uint8_t>());
@@ -72,7 +68,7 @@ std::vector<ColorChoice> AutoSegmenter::choices(const cv::Mat& image, const Mask
 std::optional<ColorChoice> AutoSegmenter::best_of(const Bar& bar, const cv::Mat& bgr,
                                                   WedgeLineFinder& finder) const {
   const double most =
-      is_hue(bar.color) ? kLevels : full_contrast(color_contrast(bgr, bar.color, kWholePicture));
+      has_hue(bar.color) ? kLevels : full_contrast(color_contrast(bgr, bar.color, kWholePicture));
   std::optional<ColorChoice> best;
   for (const ContrastReach& reach : options_.reaches) {
     const cv::Mat contrast = color_contrast(bgr, bar.color, reach);
@@ -97,7 +93,7 @@ void AutoSegmenter::try_thresholds(const Bar& bar, const PaintContrast& paint, d
 
 AutoSegmenter::Bar AutoSegmenter::bar_of(LineColor color, bool picture_has_hues) const {
   const AutoSegmenterOptions& o = options_;
-  if (is_hue(color)) return {color, o.least_hue_contrast, o.plain_hue, o.least_hue_width};
+  if (has_hue(color)) return {color, o.least_hue_contrast, o.plain_hue, o.least_hue_width};
   const double plain = color == LineColor::black ? o.plain_black : o.plain_white;
   return {color, o.least_lightness_contrast, picture_has_hues ? plain : o.plain_grey,
           o.least_lightness_width};
@@ -107,7 +103,7 @@ AutoSegmenter::Bar AutoSegmenter::bar_of(LineColor color, bool picture_has_hues)
 // barely lighter or darker than the floor counts for nothing, and for more the plainer it is.
 double AutoSegmenter::trust(const Bar& bar, double full_contrast) const {
   const double full = full_contrast / kLevels;
-  if (is_hue(bar.color)) return std::min(1.0, full / bar.plain_contrast);
+  if (has_hue(bar.color)) return std::min(1.0, full / bar.plain_contrast);
   const double above = (full - bar.least_contrast) / (bar.plain_contrast - bar.least_contrast);
   return options_.lightness_trust * std::clamp(above, 0.0, 1.0);
 }

@@ -9,6 +9,17 @@
 
 namespace lineservo::features {
 
+namespace {
+
+// Red is the colour of the start marker, which is in view before any line is.
+SteadyOptions beside_red_markers() {
+  SteadyOptions options;
+  std::erase(options.search.colors, LineColor::red);
+  return options;
+}
+
+}  // namespace
+
 std::vector<std::string_view> segmenter_names() {
   return {"hsv", "difference", "svm", "auto"};
 }
@@ -18,7 +29,7 @@ std::unique_ptr<Segmenter> make_segmenter(const SegmenterChoice& choice) {
   if (choice.name == "difference") return std::make_unique<DifferenceSegmenter>(choice.difference);
   if (choice.name == "svm")
     return std::make_unique<SvmSegmenter>(ColorSvm::from_text(std::string(choice.svm_model)));
-  if (choice.name == "auto") return std::make_unique<SteadySegmenter>();
+  if (choice.name == "auto") return std::make_unique<SteadySegmenter>(beside_red_markers());
   throw std::invalid_argument("no segmenter '" + std::string(choice.name) +
                               "'; there are: hsv, difference, svm, auto");
 }

@@ -18,7 +18,7 @@ struct SegmenterChoice {
   DifferenceOptions difference = {};    ///< for difference
 };
 
-/// hsv (topology), difference (vtp; red), svm (grid) and auto (ours).
+/// hsv (topology), difference (vtp; red), svm (grid) and auto (ours; any colour but the start marker's red).
 std::vector<std::string_view> segmenter_names();
 
 /// For the frames of one camera, one after the other. Throws std::invalid_argument for another name, with the

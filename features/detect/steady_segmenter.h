@@ -8,9 +8,11 @@ namespace lineservo::features {
 
 struct SteadyOptions {
   AutoSegmenterOptions search = {};
+  double strong_hue = 0.35;    ///< saturation beyond the floor's that is paint whatever its shape, 1 = 255
+  double strong_share = 0.05;  ///< of the image that has it
   double sure = 0.5;           ///< evidence of a frame that counts for a colour
   int agreeing_frames = 3;     ///< in a row that must show the same colour before it is kept
-  int forgiven_frames = 15;    ///< in a row without paint before the colour is given up
+  int forgiven_frames = 5;     ///< in a row without paint before the colour is given up
   double threshold = 0.45;     ///< between floor and paint
   double renewal = 0.1;        ///< weight of a frame in the levels of floor and paint
   double least_share = 0.002;  ///< of the image that is painted when a line is in view
@@ -36,12 +38,15 @@ class SteadySegmenter : public Segmenter {
     double floor = 0.0, paint = 0.0;  ///< levels
   };
 
-  PackedMask search(const cv::Mat& bgr, cv::Size mask_size);
+  PackedMask search(const cv::Mat& bgr);
+  std::optional<PackedMask> strong_hue(const cv::Mat& bgr) const;
+  bool is_sure(const AutoSegmenter& seen) const { return seen.color() && seen.evidence() >= options_.sure; }
+  void consider(const AutoSegmenter& seen, const cv::Mat& bgr, const PackedMask& mask);
   PackedMask kept_paint(const cv::Mat& bgr);
   void renew(const cv::Mat& cue, const PackedMask& mask, double weight);
 
   SteadyOptions options_;
-  AutoSegmenter search_;
+  std::optional<AutoSegmenter> hues_, lightnesses_;  ///< the searches; none for no such colour
   std::optional<Paint> kept_;
   std::optional<LineColor> candidate_;
   int agreeing_ = 0, without_paint_ = 0;

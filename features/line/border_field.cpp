@@ -68,11 +68,6 @@ std::span<const BorderPoint> BorderField::near(double theta_rad) const {
   return {points_.data() + begin, end - begin};
 }
 
-std::size_t BorderField::number(const BorderPoint& point) const {
-  const auto place = static_cast<std::size_t>(&point - points_.data());
-  return place < use_.size() ? place : place - use_.size();
-}
-
 void BorderField::measure_bins() {
   for (std::size_t bin = 0; bin < kAll; ++bin) {
     if (!is_stale_[bin]) continue;

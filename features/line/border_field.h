@@ -43,7 +43,10 @@ class BorderField {
   /// All points whose axis lies within 30° of a direction (modulo π), and few others.
   std::span<const BorderPoint> near(double theta_rad) const;
   /// The number of a point of near().
-  std::size_t number(const BorderPoint& point) const;
+  std::size_t number(const BorderPoint& point) const {
+    const auto place = static_cast<std::size_t>(&point - points_.data());
+    return place < use_.size() ? place : place - use_.size();
+  }
 
   /// The strongest direction among the free points, or none if there is no free point.
   std::optional<DirectionPeak> strongest_direction();

@@ -174,19 +174,23 @@ void StripeFinder::spend_points_of(const Stripe& stripe) {
   for (std::size_t i = 0; i < border_.size(); ++i) {
     const BorderPoint& point = border_.at(i);
     const double across = std::abs(axes.across(point.p_L));
+    if (across >= half + kOwn || border_.use(i) == PointUse::spent) continue;
     const double along = axes.along(point.p_L);
     const bool beside = along > stripe.begin.along - kBesideEnd && along < stripe.end.along + kBesideEnd;
     const bool inside = across < half + 0.5 * kOwn && beside;
-    const bool own = across < half + kOwn && std::abs(point.normal.dot(axes.normal())) > kFacing;
-    if (inside || (own && across > half - kOwn)) border_.set_use(i, PointUse::spent);
+    const bool own = across > half - kOwn && std::abs(point.normal.dot(axes.normal())) > kFacing;
+    if (inside || own) border_.set_use(i, PointUse::spent);
   }
 }
 
 void StripeFinder::defer_direction(double theta_rad) {
+  const auto tried = [theta_rad](double point_theta_rad) {  // both in [−π/2, π/2]
+    const double apart_rad = std::abs(point_theta_rad - theta_rad);
+    return std::min(apart_rad, kPi - apart_rad) < kTried_rad;
+  };
   for (const BorderPoint& point : border_.near(theta_rad)) {
     const std::size_t i = border_.number(point);
-    if (border_.use(i) == PointUse::free && axis_difference(point.theta_rad, theta_rad) < kTried_rad)
-      border_.set_use(i, PointUse::deferred);
+    if (border_.use(i) == PointUse::free && tried(point.theta_rad)) border_.set_use(i, PointUse::deferred);
   }
 }
 

@@ -11,10 +11,6 @@ constexpr int kShrink = 4;    // the floor is looked for in an image so much sma
 constexpr int kDarkest = 24;  // below this level a ratio says nothing
 constexpr int kPalest = 48;   // below this level a hue says nothing
 
-bool is_hue(LineColor color) {
-  return color == LineColor::yellow || color == LineColor::red;
-}
-
 std::uint8_t yellowness(int b, int g, int r) {
   const int chroma = std::max(0, std::min(r, g) - b);
   return static_cast<std::uint8_t>(255 * chroma / std::max({r, g, b, kPalest}));
@@ -92,7 +88,7 @@ cv::Mat compared(const cv::Mat& cue, const cv::Mat& floor, LineColor color) {
 }  // namespace
 
 cv::Mat color_cue(const cv::Mat& bgr, LineColor color) {
-  cv::Mat cue = is_hue(color) ? hue_cue(bgr, color) : lightness(bgr);
+  cv::Mat cue = has_hue(color) ? hue_cue(bgr, color) : lightness(bgr);
   cv::blur(cue, cue, {3, 3});
   return cue;
 }
@@ -102,7 +98,7 @@ cv::Mat color_contrast(const cv::Mat& bgr, LineColor color, ContrastReach reach)
   const cv::Mat cue = color_cue(bgr, color);
   const cv::Mat floor = reach.share < 1.0 ? floor_around(cue, paint_is_darker, reach.share)
                                           : floor_of_image(cue, paint_is_darker, reach.floor_share);
-  if (!is_hue(color)) return compared(cue, floor, color);
+  if (!has_hue(color)) return compared(cue, floor, color);
   cv::Mat contrast;
   cv::subtract(cue, floor, contrast);  // stops at zero
   return contrast;

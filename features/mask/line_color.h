@@ -12,6 +12,11 @@ enum class LineColor { yellow, red, white, black };
 inline constexpr std::array kLineColors = {LineColor::yellow, LineColor::red, LineColor::white,
                                            LineColor::black};
 
+/// Yellow and red; white and black differ from the floor in lightness.
+constexpr bool has_hue(LineColor color) {
+  return color == LineColor::yellow || color == LineColor::red;
+}
+
 /// "yellow" … "black".
 std::string_view name(LineColor color);
 /// The inverse of name(); none for any other word.

@@ -37,6 +37,15 @@ TEST(SteadySegmenter, KeepsTheColourOverABroadCrossing) {
   EXPECT_GT(wrong_pixels(AutoSegmenter().segment(crossing, kSize), crossing, kYellow), 20 * 200);
 }
 
+TEST(SteadySegmenter, KeepsWhiteToo) {
+  const cv::Scalar white(230, 230, 230);
+  SteadySegmenter segmenter;
+  for (int k = 0; k < 3; ++k) segmenter.segment(floor_with(white, 30), kSize);
+  ASSERT_EQ(segmenter.color(), LineColor::white);
+  const cv::Mat crossing = floor_with(white, 84, true);
+  EXPECT_LT(wrong_pixels(segmenter.segment(crossing, kSize), crossing, white), 8 * 200);
+}
+
 TEST(SteadySegmenter, OneFrameDoesNotMakeAColour) {
   SteadySegmenter segmenter;
   segmenter.segment(floor_with(kRed, 30), kSize);
@@ -57,6 +66,24 @@ TEST(SteadySegmenter, GivesAColourUpThatIsSeenNoMore) {
   EXPECT_FALSE(segmenter.color());
   EXPECT_LT(wrong_pixels(segmenter.segment(red, kSize), red, kRed), 4 * 200);
   EXPECT_EQ(segmenter.color(), LineColor::red);
+}
+
+// The grey between the arms of a broad corner with a disc on it looks like a dark line, surer than what is
+// yellow.
+TEST(SteadySegmenter, StrongColourIsPaintWhateverItsShape) {
+  cv::Mat corner(kSize, CV_8UC3, kFloor);
+  corner(cv::Rect(64, 0, 72, 136)).setTo(kYellow);
+  corner(cv::Rect(64, 64, 136, 72)).setTo(kYellow);
+  cv::circle(corner, {100, 100}, 36, kRed, cv::FILLED);
+  SteadyOptions options;
+  std::erase(options.search.colors, LineColor::red);
+  SteadySegmenter segmenter(options);
+  const PackedMask mask = segmenter.segment(corner, kSize);
+  EXPECT_GT(mask.count(), 0);
+  cv::Mat floor;
+  cv::inRange(corner, kFloor, kFloor, floor);
+  cv::bitwise_and(floor, mask.to_mat(), floor);
+  EXPECT_LT(cv::countNonZero(floor), 4 * 200);
 }
 
 TEST(SteadySegmenter, RefusesCountsBelowOne) {
