@@ -12,7 +12,6 @@ namespace {
 using testing::Flown;
 using testing::fly;
 using testing::request_for;
-using testing::story;
 
 constexpr double kBroad_m = 0.36, kTape_m = 0.05;
 
