@@ -12,7 +12,9 @@ constexpr double kJitter_s = 0.005;  // by which a frame may come early for its 
 }  // namespace
 
 void VtpLaw::reset() {
-  *this = VtpLaw(options_);
+  stepped_.reset();
+  error_px_.reset();
+  step_H_m_.setZero();
 }
 
 Command VtpLaw::follow(const Observation& observation, const FollowGoal& goal) {
