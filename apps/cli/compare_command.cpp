@@ -10,6 +10,7 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
+#include "apps/cli/repeats.h"
 #include "apps/cli/study_progress.h"
 #include "apps/compare/comparison_table.h"
 #include "apps/compare/parallel.h"
@@ -30,13 +31,6 @@ struct Arguments {
   int jobs = default_jobs();
   bool json = false;
 };
-
-void refuse_repeats(const std::string& option, const std::vector<std::string>& names) {
-  std::set<std::string> seen;
-  for (const std::string& name : names) {
-    if (!seen.insert(name).second) throw InputError(fmt::format("{}: '{}' is named twice", option, name));
-  }
-}
 
 std::vector<std::string> all_controllers() {
   std::vector<std::string> names;
@@ -73,6 +67,7 @@ ComparisonOptions options_of(const Arguments& a) {
   refuse_repeats("--controllers", a.block.controllers);
   refuse_repeats("--instructions", a.block.instructions);
   refuse_repeats("--layout", a.block.layouts);
+  refuse_repeats("--speeds", a.block.speeds_m_s);
   for (const std::string& name : a.block.controllers) servo::find_controller(name);
   ComparisonOptions options = a.options;
   options.blocks = a.preset ? preset_blocks(a) : std::vector<Block>{block_of(a)};

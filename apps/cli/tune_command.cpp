@@ -9,6 +9,7 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
+#include "apps/cli/repeats.h"
 #include "apps/cli/study_progress.h"
 #include "apps/compare/parallel.h"
 #include "apps/compare/tuning.h"
@@ -64,6 +65,7 @@ void write_results(ResultFolder& folder, const Arguments& arguments,
 
 int run(const Arguments& arguments) {
   for (const std::string& name : arguments.controllers) servo::find_controller(name);
+  refuse_repeats("tune", arguments.controllers);
   std::optional<ResultFolder> folder;
   if (arguments.out) folder.emplace(*arguments.out);
   watch_for_interrupt();

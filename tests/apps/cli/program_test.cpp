@@ -362,6 +362,13 @@ TEST_F(ProgramTest, AFullOutputIsToldInOneLine) {
   }
 }
 
+TEST_F(ProgramTest, AStudyTakesNothingTwice) {
+  EXPECT_THAT(refusal({"tune", "pid", "pid", "--out", path("out")}), HasSubstr("'pid' is named twice"));
+  EXPECT_THAT(refusal({"compare", "--controllers", "pid,pid"}), HasSubstr("'pid' is named twice"));
+  EXPECT_THAT(refusal({"compare", "--speeds", "0.3,0.3"}), HasSubstr("--speeds: '0.3' is named twice"));
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
 TEST_F(ProgramTest, NamesACommandThatItDoesNotKnow) {
   EXPECT_THAT(refusal({"flyy", "a13"}), AllOf(HasSubstr("'flyy'"), HasSubstr("fly, "), HasSubstr("layouts")));
   EXPECT_THAT(refusal({"evaluate", "circles"}), AllOf(HasSubstr("'circles'"), HasSubstr("lines, junctions")));
