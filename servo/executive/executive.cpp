@@ -5,64 +5,11 @@
 #include <utility>
 
 #include "features/geometry/angles.h"
+#include "servo/executive/sighting.h"
 #include "servo/law/height_rate.h"
 
 namespace lineservo::servo {
 namespace {
-
-using features::LineFeature;
-
-constexpr double kNewLine_rad =
-    features::radians(25.0);  // how near its heading a turn takes a line for the next edge
-
-/// Nearer than this a disc is told, in heights: 0.2 m at 0.5 m, about where a cross is.
-constexpr double kDiscNear_heights = 0.4;
-
-/// The line whose angle (mod π) is nearest to a given one, if within the bound.
-const LineFeature* nearest_line(const std::vector<LineFeature>& lines, double theta_rad, double bound_rad) {
-  const LineFeature* best = nullptr;
-  for (const LineFeature& line : lines) {
-    const double off_rad = std::abs(std::remainder(line.theta_rad - theta_rad, features::kPi));
-    if (off_rad < bound_rad) {
-      bound_rad = off_rad;
-      best = &line;
-    }
-  }
-  return best;
-}
-
-/// Where the frame shows a red disc: the start marker, or one on a node.
-std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
-  if (!o.features.start_marker) return std::nullopt;
-  return floor_point_m(*o.features.start_marker, o.capture_height_m);
-}
-
-bool expects_disc(const PlanStep* step) {
-  return step && step->expected.code == features::JunctionCode::start;
-}
-
-/// The reading with a disc only where one is expected, and near: its first sliver says little of its middle.
-features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
-  features::CodeReading reading = o.features.code;
-  if (reading.smoothed != features::JunctionCode::start) return reading;
-  const auto disc = disc_sighting(o);
-  const bool is_near = disc && disc->norm() < kDiscNear_heights * o.capture_height_m;
-  if (!expects_disc(step) || !is_near) reading.smoothed = features::JunctionCode::unrecognised;
-  return reading;
-}
-
-/// Where the frame shows the node that the step expects: its disc, the junction's centre, or a dead end's
-/// end.
-std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step) {
-  if (expects_disc(step)) return disc_sighting(o);
-  if (o.features.junction) return floor_point_m(o.features.junction->centre, o.capture_height_m);
-  const bool dead_end =
-      step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
-  if (dead_end && line_to_follow(o) && o.features.code.line_ends_ahead) {
-    return floor_point_m(line_to_follow(o)->end, o.capture_height_m);
-  }
-  return std::nullopt;
-}
 
 VelocityCommand moving_as(const Observation& o) {
   if (!o.v_H_m_s.allFinite()) return {};
@@ -101,8 +48,8 @@ Command Executive::tick(const Observation& observation, bool on_ground) {
 }
 
 void Executive::observe(const Observation& observation) {
-  if (const LineFeature* line = line_to_follow(observation)) {
-    const LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
+  if (const features::LineFeature* line = line_to_follow(observation)) {
+    const features::LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
     line_seen_ = observation.now;
     line_angle_rad_ = now.theta_rad;
     line_offset_m_ = now.rho * observation.height_m;
@@ -126,7 +73,7 @@ void Executive::observe(const Observation& observation) {
     if (sighting && tracks_node(phase_)) dock_law_.observe(observation, *sighting);
   }
   if (phase_ == Phase::align && tracker_.node_now(observation)) line_seen_ = observation.now;
-  if (phase_ == Phase::turn) correct_turn(observation);
+  if (phase_ == Phase::turn) line_angle_rad_ = turn_.correct(observation);
   smooth_velocity(observation);
 }
 
@@ -178,8 +125,7 @@ void Executive::pass_node(Time now) {
 
 void Executive::enter(Phase phase, const Observation& observation) {
   if (phase == Phase::turn) {
-    turn_heading_rad_ =
-        observation.odometry_now.yaw_rad + current_step()->turn_rad - line_angle_rad_.value_or(0.0);
+    turn_ = Turn(observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0), current_step()->turn_rad);
   }
   if (phase == Phase::dock) dock_law_.reset();
   if (phase == Phase::follow) {
@@ -276,14 +222,12 @@ double Executive::heading_hold_rad_s() const {
                     -options_.heading_rate_limit_rad_s, options_.heading_rate_limit_rad_s);
 }
 
-// Before a node to dock on, and where the line stops: the speed from which the vehicle comes to rest there,
-// once it has answered, so that the point task takes over with little left to brake. From v T + v²/2a = d.
+// Before a node to dock on, and where the line stops: so that the point task takes over with little left to
+// brake.
 double Executive::approach_speed(const Observation& observation) const {
   const std::optional<double> ahead_m = stop_ahead_m(observation);
   if (!traits_.servos_on_node || !ahead_m) return options_.speed_m_s;
-  const double a = options_.approach_deceleration_m_s2, T = options_.approach_response_s;
-  const double braking = a * (std::sqrt(T * T + 2.0 * std::max(0.0, *ahead_m) / a) - T);
-  return std::min(options_.speed_m_s, std::max(braking, options_.approach_speed_m_s));
+  return std::min(options_.speed_m_s, braking_speed(*ahead_m, 0.0, options_.approach));
 }
 
 // How far ahead the vehicle has to stop, as far as it is in view.
@@ -301,7 +245,7 @@ VelocityCommand Executive::hold_node(const Observation& observation) {
   if (!node) return stay(observation);
   VelocityCommand c = dock_law_.hold(observation, {*node, line_angle_rad_, 0.0, options_.phases.height_m});
   CommandLimits limits = options_.limits;
-  limits.horizontal_m_s = std::max(options_.speed_m_s, options_.approach_speed_m_s);
+  limits.horizontal_m_s = std::max(options_.speed_m_s, options_.approach.speed_m_s);
   return saturate(c, limits);
 }
 
@@ -324,20 +268,7 @@ Eigen::Vector2d Executive::node_drift_H_m_s(const Observation& observation) cons
 }
 
 double Executive::turn_left(const Observation& observation) const {
-  return phase_ == Phase::turn ? turn_heading_rad_ - observation.odometry_now.yaw_rad : 0.0;
-}
-
-// The gyro leads the turn; as soon as a line is seen near the heading where the next edge should be, that
-// line's angle decides where the turn ends.
-void Executive::correct_turn(const Observation& observation) {
-  line_angle_rad_.reset();
-  const double left_rad = turn_heading_rad_ - observation.odometry_at_capture.yaw_rad;
-  if (std::abs(left_rad) > kNewLine_rad) return;
-  const LineFeature* line = nearest_line(observation.features.lines, -left_rad, kNewLine_rad);
-  if (!line) return;
-  turn_heading_rad_ =
-      observation.odometry_at_capture.yaw_rad - std::remainder(line->theta_rad, features::kPi);
-  line_angle_rad_ = -turn_left(observation);
+  return phase_ == Phase::turn ? turn_.left_rad(observation) : 0.0;
 }
 
 // A flight that was broken off ends on the ground as well, and has to stay there.

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "servo/executive/approach.h"
 #include "servo/executive/junction_matcher.h"
 #include "servo/executive/node_tracker.h"
 #include "servo/executive/phase.h"
+#include "servo/executive/turn.h"
 #include "servo/executive/turn_profile.h"
 #include "servo/law/dock_law.h"
 #include "servo/law/follow_law.h"
@@ -19,6 +21,7 @@ namespace lineservo::servo {
 struct ExecutiveOptions {
   double speed_m_s = 0.1;
   PhaseOptions phases;
+  ApproachOptions approach;
   TurnOptions turn;
   DockOptions dock;
   NodeTracker::Options tracker;
@@ -29,10 +32,7 @@ struct ExecutiveOptions {
   double climb_rate_m_s = 0.4;
   double heading_gain_per_s = 0.5;  ///< for laws that do not steer the heading
   double heading_rate_limit_rad_s = 0.1;
-  double approach_deceleration_m_s2 = 0.5;  ///< before a node that is to be docked on
-  double approach_response_s = 0.2;         ///< until the vehicle answers to a lower speed
-  double approach_speed_m_s = 0.05;         ///< never slower than this before its code is confirmed
-  double speed_time_constant_s = 0.5;       ///< over which the speed that counts as rest is averaged
+  double speed_time_constant_s = 0.5;  ///< over which the speed that counts as rest is averaged
 };
 
 /// Something worth a line in events.csv.
@@ -84,7 +84,6 @@ class Executive {
   double turn_left(const Observation& observation) const;
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
   bool has_landed() const;
-  void correct_turn(const Observation& observation);
   const PlanStep* current_step() const;
   void report(std::string kind, std::string detail);
 
@@ -107,10 +106,10 @@ class Executive {
   Time line_seen_{0};
   std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
   double travelled_m_ = 0.0;  ///< forward: swaying from side to side brings no node nearer
-  Time node_passed_{0};  ///< or the start of the leg
+  Time node_passed_{0};       ///< or the start of the leg
   std::optional<Motion> last_odometry_;
   Eigen::Vector2d velocity_H_m_s_ = Eigen::Vector2d::Zero();  ///< averaged, drift included over a node
-  double turn_heading_rad_ = 0.0;                             ///< odometry yaw at which the turn ends
+  Turn turn_;
   VelocityCommand last_command_;
   std::optional<Time> last_tick_;
   std::vector<ExecutiveEvent> events_;
