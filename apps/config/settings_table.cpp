@@ -127,6 +127,8 @@ void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
   number("executive.approach_deceleration_m_s2", e.approach.deceleration_m_s2, 0.01, 5.0);
   number("executive.approach_response_s", e.approach.response_s, 0.0, 2.0);
   number("executive.approach_speed_m_s", e.approach.speed_m_s, 0.01, 1.0);
+  number("executive.corner_deviation_m", e.corner.deviation_m, 0.0, 0.3);
+  number("executive.corner_acceleration_m_s2", e.corner.acceleration_m_s2, 0.01, 5.0);
   number("executive.turn_rate_rad_s", e.turn.rate_limit_rad_s, 0.05, 3.0);
   number("executive.turn_gain_per_s", e.turn.gain_per_s, 0.1, 10.0);
   number("executive.turn_acceleration_rad_s2", e.turn.acceleration_rad_s2, 0.05, 10.0);

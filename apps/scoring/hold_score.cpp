@@ -12,8 +12,8 @@ using servo::Phase;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 bool is_under_way(const TruthSample& s) {
-  return s.phase == Phase::follow || s.phase == Phase::turn || s.phase == Phase::dock ||
-         s.phase == Phase::hover;
+  return s.phase == Phase::follow || s.phase == Phase::corner || s.phase == Phase::turn ||
+         s.phase == Phase::dock || s.phase == Phase::hover;
 }
 
 }  // namespace

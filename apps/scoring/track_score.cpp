@@ -97,7 +97,7 @@ class LegWalker {
 
   bool is_turning(const TruthSample& s) const {
     const bool last = leg_ + 1 >= route_.legs.size();
-    return !last && (s.phase == Phase::turn || s.phase == Phase::dock) &&
+    return !last && (s.phase == Phase::corner || s.phase == Phase::turn || s.phase == Phase::dock) &&
            s.step == route_.closing_steps[leg_];
   }
 

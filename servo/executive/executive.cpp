@@ -16,9 +16,14 @@ VelocityCommand moving_as(const Observation& o) {
   return {o.v_H_m_s.x(), o.v_H_m_s.y(), o.v_H_m_s.z(), 0.0};
 }
 
-/// Phases that hold the vehicle above a place: the start marker or a node.
+/// Phases that go by a place: the start marker or a node.
 bool tracks_node(Phase phase) {
-  return phase == Phase::align || phase == Phase::dock || phase == Phase::turn || phase == Phase::hover;
+  return phase == Phase::align || phase == Phase::corner || phase == Phase::dock || phase == Phase::turn ||
+         phase == Phase::hover;
+}
+
+bool turns(Phase phase) {
+  return phase == Phase::turn || phase == Phase::corner;
 }
 
 }  // namespace
@@ -73,7 +78,7 @@ void Executive::observe(const Observation& observation) {
     if (sighting && tracks_node(phase_)) dock_law_.observe(observation, *sighting);
   }
   if (phase_ == Phase::align && tracker_.node_now(observation)) line_seen_ = observation.now;
-  if (phase_ == Phase::turn) line_angle_rad_ = turn_.correct(observation);
+  if (turns(phase_)) line_angle_rad_ = turn_.correct(observation);
   smooth_velocity(observation);
 }
 
@@ -101,6 +106,10 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   if (const auto node = tracker_.node_now(observation)) s.node_distance_m = node->norm();
   s.speed_m_s = velocity_H_m_s_.norm();
   s.turn_left_rad = turn_left(observation);
+  s.rounds_corner = phase_ == Phase::follow && arc_from_here(observation).speed_m_s > 0.0;
+  if (const auto path = corner_path(observation)) {
+    s.past_corner = path->nearest_way_m(Eigen::Vector2d::Zero()) > path->arc_end_m();
+  }
   s.servos_on_node = traits_.servos_on_node;
   s.on_ground = on_ground;
   const bool holds = goal_holds(phase_, s, options_.phases);
@@ -124,13 +133,15 @@ void Executive::pass_node(Time now) {
 }
 
 void Executive::enter(Phase phase, const Observation& observation) {
-  if (phase == Phase::turn) {
+  if (turns(phase) && !turns(phase_)) {
     turn_ = Turn(observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0), current_step()->turn_rad);
   }
-  if (phase == Phase::dock) dock_law_.reset();
+  if (phase == Phase::dock || phase == Phase::corner) dock_law_.reset();
+  if (phase == Phase::corner) arc_ = arc_from_here(observation);
   if (phase == Phase::follow) {
-    if (phase_ == Phase::turn) ++step_;
-    travelled_m_ = 0.0;
+    const auto corner = phase_ == Phase::corner ? corner_path(observation) : std::nullopt;
+    travelled_m_ = corner ? corner->nearest_way_m(Eigen::Vector2d::Zero()) : 0.0;
+    if (turns(phase_)) ++step_;
     node_passed_ = observation.now;
     law_->reset();
     matcher_.restart();
@@ -156,6 +167,8 @@ Command Executive::command(const Observation& observation) {
       return align(observation);
     case Phase::follow:
       return follow(observation);
+    case Phase::corner:
+      return corner(observation);
     case Phase::dock:
       return hold_node(observation);
     case Phase::turn:
@@ -223,11 +236,13 @@ double Executive::heading_hold_rad_s() const {
 }
 
 // Before a node to dock on, and where the line stops: so that the point task takes over with little left to
-// brake.
+// brake. Before a corner to be rounded: down to the arc's speed where the arc begins.
 double Executive::approach_speed(const Observation& observation) const {
   const std::optional<double> ahead_m = stop_ahead_m(observation);
   if (!traits_.servos_on_node || !ahead_m) return options_.speed_m_s;
-  return std::min(options_.speed_m_s, braking_speed(*ahead_m, 0.0, options_.approach));
+  const CornerArc arc = planned_arc();
+  const double to_arc_m = *ahead_m - arc.radius_m;  // no turn that is rounded needs more than its radius
+  return std::min(options_.speed_m_s, braking_speed(to_arc_m, arc.speed_m_s, options_.approach));
 }
 
 // How far ahead the vehicle has to stop, as far as it is in view.
@@ -255,6 +270,53 @@ Command Executive::hover(const Observation& observation) {
   return command.value_or(stay(observation));
 }
 
+/// Of the turn that comes; none when it is made at rest.
+CornerArc Executive::planned_arc() const {
+  const PlanStep* step = current_step();
+  const bool is_turn = step && step->manoeuvre == Manoeuvre::turn;
+  if (!is_turn || std::abs(step->turn_rad) > options_.corner.turn_max_rad) return {};
+  return corner_arc(step->turn_rad, options_.speed_m_s, options_.corner);
+}
+
+/// None when the node is so near that the vehicle would have to slow down much for what is left.
+CornerArc Executive::arc_from_here(const Observation& observation) const {
+  constexpr double kLeastShare = 0.6;  // of the planned speed
+  const auto node = tracker_.node_now(observation);
+  const CornerArc planned = planned_arc();
+  if (!node || planned.radius_m <= 0.0) return {};
+  const CornerArc arc = shortened(planned, current_step()->turn_rad, node->x(), options_.corner);
+  return arc.speed_m_s >= kLeastShare * planned.speed_m_s ? arc : CornerArc{};
+}
+
+/// The corner that is being flown, in the heading frame now.
+std::optional<CornerPath> Executive::corner_path(const Observation& observation) const {
+  const auto node = tracker_.node_now(observation);
+  if (phase_ != Phase::corner || !node) return std::nullopt;
+  const double yaw_rad = observation.odometry_now.yaw_rad;
+  return CornerPath(*node, turn_.heading_in_rad() - yaw_rad, turn_.heading_out_rad() - turn_.heading_in_rad(),
+                    arc_.radius_m);
+}
+
+// The nearest place on the path is held by the point task, while the path's velocity, at the place where the
+// vehicle will have answered, is fed forward. The heading turns about the middle of the arc.
+VelocityCommand Executive::corner(const Observation& observation) {
+  const auto path = corner_path(observation);
+  if (!path) return stay(observation, turn_rate(turn_left(observation), options_.turn));
+  const double way_m = path->nearest_way_m(Eigen::Vector2d::Zero());
+  const double to_arc_m = -path->arc_end_m() - way_m;
+  const double speed_m_s =
+      std::min(options_.speed_m_s, braking_speed(to_arc_m, arc_.speed_m_s, options_.approach));
+  const double heading_rad = path->heading_rad(way_m + speed_m_s * options_.approach.response_s);
+  const bool turns_now =
+      way_m > -0.5 * speed_m_s * turn_time_s(turn_.heading_out_rad() - turn_.heading_in_rad(), options_.turn);
+  const double left_rad =
+      turns_now ? turn_left(observation) : turn_.heading_in_rad() - observation.odometry_now.yaw_rad;
+  DockGoal goal{path->point_m(way_m), std::nullopt, turn_rate(left_rad, options_.turn),
+                options_.phases.height_m};
+  goal.velocity_H_m_s = speed_m_s * Eigen::Vector2d(std::cos(heading_rad), std::sin(heading_rad));
+  return dock_law_.hold(observation, goal);
+}
+
 VelocityCommand Executive::turn(const Observation& observation) {
   const double rate = turn_rate(turn_left(observation), options_.turn);
   const auto node = tracker_.node_now(observation);
@@ -268,7 +330,7 @@ Eigen::Vector2d Executive::node_drift_H_m_s(const Observation& observation) cons
 }
 
 double Executive::turn_left(const Observation& observation) const {
-  return phase_ == Phase::turn ? turn_.left_rad(observation) : 0.0;
+  return turns(phase_) ? turn_.left_rad(observation) : 0.0;
 }
 
 // A flight that was broken off ends on the ground as well, and has to stay there.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "servo/executive/approach.h"
+#include "servo/executive/corner.h"
 #include "servo/executive/junction_matcher.h"
 #include "servo/executive/node_tracker.h"
 #include "servo/executive/phase.h"
@@ -22,6 +23,7 @@ struct ExecutiveOptions {
   double speed_m_s = 0.1;
   PhaseOptions phases;
   ApproachOptions approach;
+  CornerOptions corner;
   TurnOptions turn;
   DockOptions dock;
   NodeTracker::Options tracker;
@@ -77,9 +79,13 @@ class Executive {
   double heading_hold_rad_s() const;
   VelocityCommand hold_node(const Observation& observation);
   Command hover(const Observation& observation);
+  VelocityCommand corner(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
 
   double approach_speed(const Observation& observation) const;
+  CornerArc planned_arc() const;
+  CornerArc arc_from_here(const Observation& observation) const;
+  std::optional<CornerPath> corner_path(const Observation& observation) const;
   std::optional<double> stop_ahead_m(const Observation& observation) const;
   double turn_left(const Observation& observation) const;
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
@@ -110,6 +116,7 @@ class Executive {
   std::optional<Motion> last_odometry_;
   Eigen::Vector2d velocity_H_m_s_ = Eigen::Vector2d::Zero();  ///< averaged, drift included over a node
   Turn turn_;
+  CornerArc arc_;  ///< of the corner that is being flown
   VelocityCommand last_command_;
   std::optional<Time> last_tick_;
   std::vector<ExecutiveEvent> events_;

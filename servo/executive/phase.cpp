@@ -15,7 +15,8 @@ Phase after_node(const Situation& s) {
     case Manoeuvre::go_straight:
       return Phase::follow;
     case Manoeuvre::turn:
-      return s.servos_on_node ? Phase::dock : Phase::turn;
+      if (!s.servos_on_node) return Phase::turn;
+      return s.rounds_corner ? Phase::corner : Phase::dock;
     case Manoeuvre::hover:
       return s.servos_on_node ? Phase::dock : Phase::hover;
   }
@@ -40,6 +41,8 @@ std::string_view name(Phase phase) {
       return "align";
     case Phase::follow:
       return "follow";
+    case Phase::corner:
+      return "corner";
     case Phase::turn:
       return "turn";
     case Phase::dock:
@@ -95,6 +98,10 @@ bool turned(const Situation& s, const PhaseOptions& o) {
   return on_line && std::abs(s.turn_left_rad) < o.turn_angle_rad;
 }
 
+bool cornered(const Situation& s, const PhaseOptions& o) {
+  return s.past_corner && s.line_angle_rad && std::abs(s.turn_left_rad) < o.corner_angle_rad;
+}
+
 bool expected(const NodeSighting& node, const PlanStep& step) {
   return node.code == step.expected.code && node.line_ends == step.expected.line_ends;
 }
@@ -134,7 +141,8 @@ AbortReason abort_reason(Phase phase, const Situation& s, const PhaseOptions& o)
   if (phase == Phase::follow && overdue(s, o)) return AbortReason::node_overdue;
   if (phase == Phase::dock && (!s.node_distance_m || s.phase_s > o.dock_limit_s))
     return AbortReason::node_lost;
-  if (phase == Phase::turn && s.phase_s > o.turn_limit_s) return AbortReason::turn_failed;
+  const bool turns = phase == Phase::turn || phase == Phase::corner;
+  if (turns && s.phase_s > o.turn_limit_s) return AbortReason::turn_failed;
   return AbortReason::none;
 }
 
@@ -147,6 +155,9 @@ Phase next(Phase phase, const Situation& s, const PhaseOptions& o) {
       return settled(s, o) ? Phase::follow : phase;
     case Phase::follow:
       return after_node(s);
+    case Phase::corner:
+      if (!s.node_distance_m) return Phase::turn;  // out of sight: the turn is ended at rest
+      return cornered(s, o) ? Phase::follow : phase;
     case Phase::dock:
       return settled(s, o) ? after_docking(s) : phase;
     case Phase::turn:

@@ -8,9 +8,9 @@
 
 namespace lineservo::servo {
 
-/// What the vehicle is doing. `aborted` hovers for a while and then lands; `finished` is the end of the
-/// flight.
-enum class Phase { take_off, align, follow, turn, dock, hover, land, aborted, finished };
+/// What the vehicle is doing. `corner` is a turn that is flown without a stop. `aborted` hovers for a while
+/// and then lands; `finished` is the end of the flight.
+enum class Phase { take_off, align, follow, corner, turn, dock, hover, land, aborted, finished };
 
 std::string_view name(Phase phase);
 
@@ -44,6 +44,7 @@ struct PhaseOptions {
   double dock_limit_s = 20.0;
   double turn_angle_rad = 0.017;
   double turn_limit_s = 20.0;
+  double corner_angle_rad = 0.05;  ///< of the next edge at the end of a corner
   double hover_s = 8.0;
   double abort_hover_s = 3.0;
   bool land = false;  ///< at the end of the mission
@@ -64,6 +65,8 @@ struct Situation {
   std::optional<double> node_distance_m;  ///< of the node that is docked on, or of the start marker
   double speed_m_s = 0.0;
   double turn_left_rad = 0.0;
+  bool rounds_corner = false;   ///< the turn that comes can be flown without a stop
+  bool past_corner = false;     ///< the arc lies behind
   bool servos_on_node = false;  ///< the law docks; others stop on the confirmed code
   bool on_ground = false;
 };
@@ -76,6 +79,8 @@ bool docked(const Situation& s, const PhaseOptions& o);
 /// By the next line's angle; a law that turns where its code came may not see that line yet and goes by the
 /// gyro.
 bool turned(const Situation& s, const PhaseOptions& o);
+/// Past the arc and on the next line's heading; the law that follows lines does the rest.
+bool cornered(const Situation& s, const PhaseOptions& o);
 bool expected(const NodeSighting& node, const PlanStep& step);
 /// The expected code did not come within the possible distance.
 bool overdue(const Situation& s, const PhaseOptions& o);

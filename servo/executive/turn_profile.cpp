@@ -13,4 +13,9 @@ double turn_rate(double remaining_rad, const TurnOptions& options) {
   return std::copysign(rate, remaining_rad);
 }
 
+double turn_time_s(double turn_rad, const TurnOptions& options) {
+  const double rate = options.rate_limit_rad_s;
+  return std::abs(turn_rad) / rate + 0.5 * rate / options.acceleration_rad_s2;
+}
+
 }  // namespace lineservo::servo

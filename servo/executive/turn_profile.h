@@ -12,4 +12,7 @@ struct TurnOptions {
 /// sign as Δ.
 double turn_rate(double remaining_rad, const TurnOptions& options);
 
+/// About how long a turn takes, from its beginning at the limit to the end of its braking.
+double turn_time_s(double turn_rad, const TurnOptions& options);
+
 }  // namespace lineservo::servo

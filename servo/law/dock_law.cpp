@@ -30,9 +30,9 @@ void DockLaw::observe(const Observation& observation, const Eigen::Vector2d& poi
 
 VelocityCommand DockLaw::hold(const Observation& observation, const DockGoal& goal) {
   PointTask& task = goal.theta_rad ? on_line_ : turning_;
-  const TaskSolution solution =
-      task.solve(level_point(goal.point_H_m, observation.height_m), goal.theta_rad.value_or(0.0),
-                 observation.height_m, goal.height_m, goal.yaw_rate_rad_s, drift_H_m_s(observation));
+  const TaskSolution solution = task.solve(
+      level_point(goal.point_H_m, observation.height_m), goal.theta_rad.value_or(0.0), observation.height_m,
+      goal.height_m, goal.yaw_rate_rad_s, drift_H_m_s(observation) - goal.velocity_H_m_s);
   return solution.valid ? solution.command : VelocityCommand{};
 }
 

@@ -21,10 +21,11 @@ struct DockGoal {
   std::optional<double> theta_rad;                      ///< the line's angle now, to be brought to zero
   double yaw_rate_rad_s = 0.0;                          ///< when no angle is given: turn about the node
   double height_m = 0.5;
+  Eigen::Vector2d velocity_H_m_s = Eigen::Vector2d::Zero();  ///< with which the goal moves, heading frame
 };
 
-/// Brings the vehicle to rest above a floor point and holds it there, on the line's heading or while it
-/// turns: the ViSP point task, with the drift of the odometry fed forward.
+/// Brings the vehicle to rest above a floor point and holds it there, or moves along with it, on the line's
+/// heading or while it turns: the ViSP point task, with the drift of the odometry fed forward.
 class DockLaw {
  public:
   explicit DockLaw(const DockOptions& options);

@@ -153,6 +153,12 @@ TEST_F(TrackScoreTest, InATurnTheNearerEdgeCountsEachEndingAtTheNode) {
   EXPECT_NEAR(leg.whole.mae_m * 104, 0.02 + 0.03 + 0.07 + 0.05, 1e-9);
 }
 
+TEST_F(TrackScoreTest, ACornerFlownWithoutAStopIsATurn) {
+  flight_.add(Phase::follow, 0, 3.0, 0.6, 0.0);
+  flight_.add(Phase::corner, 0, 4.2 + 0.02, 0.6 + 0.04, radians(45.0));  // 0.02 off the second edge
+  EXPECT_NEAR(score().legs.at(0).turn_max_m, 0.02, 1e-12);
+}
+
 TEST_F(TrackScoreTest, ATurnIsNotSettledHoweverLate) {
   flight_.fly(
       1, 6.0, [](double) { return 0.01; }, 0);

@@ -192,12 +192,32 @@ TEST(Next, GoalsThatHaveSettledLeadOn) {
   });
 }
 
+TEST(Next, ACornerEndsOnTheNextLineWithoutSettling) {
+  const auto rounded = [](double left_rad, bool past, bool on_line) {
+    return [=](Situation& s) {
+      s.turn_left_rad = left_rad, s.past_corner = past;
+      if (!on_line) s.line_angle_rad.reset();
+    };
+  };
+  expect_transitions({
+      {"round it", Phase::corner, Phase::follow, rounded(0.04, true, true)},
+      {"not yet turned", Phase::corner, Phase::corner, rounded(0.06, true, true)},
+      {"on the arc", Phase::corner, Phase::corner, rounded(0.04, false, true)},
+      {"without the next line", Phase::corner, Phase::corner, rounded(0.04, true, false)},
+      {"the node out of sight", Phase::corner, Phase::turn, [](Situation& s) { s.node_distance_m.reset(); }},
+  });
+}
+
 TEST(Next, NodesLeadToTheirManoeuvre) {
   expect_transitions({
       {"no node", Phase::follow, Phase::follow, kNothing},
       {"straight over", Phase::follow, Phase::follow, seen(kSeenCross, kCross, true)},
       {"straight over, no docking", Phase::follow, Phase::follow, seen(kSeenCross, kCross, false)},
       {"turn", Phase::follow, Phase::dock, seen(kSeenTee, kTurn, true)},
+      {"turn without a stop", Phase::follow, Phase::corner,
+       [](Situation& s) {
+         s.node = kSeenTee, s.step = &kTurn, s.servos_on_node = s.rounds_corner = true;
+       }},
       {"turn, no docking", Phase::follow, Phase::turn, seen(kSeenTee, kTurn, false)},
       {"hover", Phase::follow, Phase::dock, seen(kSeenCross, kHover, true)},
       {"hover, no docking", Phase::follow, Phase::hover, seen(kSeenCross, kHover, false)},
@@ -245,6 +265,7 @@ TEST(Next, WhatCannotGoOnAborts) {
       {"the node is lost", Phase::dock, Phase::aborted, no_node, node_lost},
       {"docking for too long", Phase::dock, Phase::aborted, after_s(20.1), node_lost},
       {"turning for too long", Phase::turn, Phase::aborted, after_s(20.1), turn_failed},
+      {"a corner that takes too long", Phase::corner, Phase::aborted, after_s(20.1), turn_failed},
       {"hovering for ever", Phase::aborted, Phase::land, after_s(100.0)},
   });
 }

@@ -16,6 +16,10 @@ TEST(TurnProfile, ThreeRegimes) {
   EXPECT_NEAR(turn_rate(0.5, steep), std::sqrt(2.0 * 1.0 * 0.5), 1e-12);  // on the braking curve between
 }
 
+TEST(TurnProfile, TheTimeIsThatAtTheLimitAndTheBraking) {
+  EXPECT_NEAR(turn_time_s(-1.5, kOptions), 1.5 / 0.6 + 0.5 * 0.6 / 1.0, 1e-12);
+}
+
 TEST(TurnProfile, IsOddAndZeroAtTheEnd) {
   EXPECT_EQ(turn_rate(0.0, kOptions), 0.0);
   for (const double angle_rad : {0.001, 0.05, 0.3, 1.57, 3.0}) {
