@@ -246,23 +246,45 @@ LINESERVO_AVX2_INLINE std::uint32_t bits(__m256i mask) {
 struct TestTables {
   ClassTables path, marker;
   __m256i v_least, chroma_least;  // of a pixel of either class
+  __m256i plain_floor;            // all ones when pale_is_floor() holds
   __m256i plain_path;             // all ones when pixels that are plainly path may be told by plain_green()
 };
 
+// As _mm256_avg_epu8 has it, and what plain_test() makes of it.
+int average(int a, int b) {
+  return (a + b + 1) / 2;
+}
+
 int half(int x) {
-  return (x + 1) / 2;
+  return average(x, 0);
 }
 
 int three_quarters(int x) {
-  return (x + half(x) + 1) / 2;
+  return average(x, half(x));
 }
 
-// Pure green-reds: whether c ≥ v/2 and g − b ≥ 3/4 c make any pixel path and none marker.
+int three_eighths(int x) {
+  return average(half(half(x)), half(x));
+}
+
+int five_sixteenths(int x) {
+  return average(half(half(x)), three_eighths(x));
+}
+
+// Whether no pixel with c < 5/16 v is of either class.
+bool pale_is_floor(const RedSectorTest& test) {
+  for (int v = 0; v < 256; ++v)
+    for (const RedSectorClass* color : {&test.path, &test.marker})
+      if (v >= color->v_min && color->chroma_min.at(v) < five_sixteenths(v)) return false;
+  return true;
+}
+
+// Pure green-reds: whether c ≥ 3/8 v and g − b ≥ 3/4 c make any bright pixel path and none marker.
 bool plain_green_is_path(const RedSectorTest& test) {
   if (test.path.inside || !test.marker.inside) return false;
   for (int v = test.path.v_min; v < 256; ++v)
-    if (test.path.chroma_min.at(v) > half(v)) return false;
-  for (int c = half(test.path.v_min); c < 256; ++c)
+    if (test.path.chroma_min.at(v) > three_eighths(v)) return false;
+  for (int c = three_eighths(test.path.v_min); c < 256; ++c)
     if (c == 0 || std::max(test.path.greener.at(c), test.marker.greener.at(c)) >= three_quarters(c))
       return false;
   return true;
@@ -275,20 +297,32 @@ int least_chroma(const RedSectorClass& color) {
 }
 
 LINESERVO_AVX2_INLINE TestTables tables(const RedSectorTest& test, const Avx2Classifier::Limits& limits) {
-  return {tables(test.path), tables(test.marker),
+  return {tables(test.path),
+          tables(test.marker),
           _mm256_set1_epi8(static_cast<char>(std::min(test.path.v_min, test.marker.v_min))),
           _mm256_set1_epi8(static_cast<char>(limits.chroma_least)),
+          _mm256_set1_epi8(limits.pale_is_floor ? -1 : 0),
           _mm256_set1_epi8(limits.plain_green_is_path ? -1 : 0)};
 }
 
-// Yellow paint without the tables: bright, of at least half the full saturation, and far from red.
-LINESERVO_AVX2_INLINE __m256i plain_green(__m256i v, __m256i chroma, __m256i greener,
-                                          const TestTables& test) {
+// Pixels that may be of either class, and those of them that plainly are path.
+struct PlainTest {
+  __m256i any, path;
+};
+
+// Without the tables. Floor is dark or pale; yellow paint is bright, saturated and far from red.
+LINESERVO_AVX2_INLINE PlainTest plain_test(__m256i v, __m256i chroma, __m256i greener,
+                                           const TestTables& test) {
   const __m256i zero = _mm256_setzero_si256();
-  const __m256i half_v = _mm256_avg_epu8(v, zero), half_chroma = _mm256_avg_epu8(chroma, zero);
-  const __m256i far = at_least(greener, _mm256_avg_epu8(chroma, half_chroma));
-  const __m256i bright = _mm256_and_si256(at_least(v, test.path.v_min), at_least(chroma, half_v));
-  return _mm256_and_si256(_mm256_and_si256(bright, far), test.plain_path);
+  const __m256i half_v = _mm256_avg_epu8(v, zero), quarter_v = _mm256_avg_epu8(half_v, zero);
+  const __m256i three_eighths_v = _mm256_avg_epu8(quarter_v, half_v);
+  const __m256i five_sixteenths_v = _mm256_avg_epu8(quarter_v, three_eighths_v);
+  const __m256i least =
+      _mm256_max_epu8(test.chroma_least, _mm256_and_si256(five_sixteenths_v, test.plain_floor));
+  const __m256i any = _mm256_and_si256(at_least(v, test.v_least), at_least(chroma, least));
+  const __m256i far = at_least(greener, _mm256_avg_epu8(chroma, _mm256_avg_epu8(chroma, zero)));
+  const __m256i bright = _mm256_and_si256(at_least(v, test.path.v_min), at_least(chroma, three_eighths_v));
+  return {any, _mm256_and_si256(_mm256_and_si256(bright, far), test.plain_path)};
 }
 
 struct GroupMasks {
@@ -298,11 +332,10 @@ struct GroupMasks {
 LINESERVO_AVX2_INLINE GroupMasks classify_group(__m256i b, __m256i g, __m256i r, const TestTables& test) {
   const __m256i v = _mm256_max_epu8(_mm256_max_epu8(b, g), r);
   const __m256i chroma = _mm256_sub_epi8(v, _mm256_min_epu8(_mm256_min_epu8(b, g), r));
-  const __m256i any = _mm256_and_si256(at_least(v, test.v_least), at_least(chroma, test.chroma_least));
-  if (_mm256_testz_si256(any, any)) return {};  // bare floor, as most groups are
   const __m256i greener = _mm256_subs_epu8(g, b);
-  const __m256i plain = _mm256_and_si256(plain_green(v, chroma, greener, test), any);
-  if (_mm256_testc_si256(plain, any)) return {bits(plain), 0};  // and of the others most hold paint alone
+  const PlainTest plain = plain_test(v, chroma, greener, test);
+  // Nearly all groups; one branch for them, because paint and floor alternate too wildly to be predicted.
+  if (_mm256_testc_si256(plain.path, plain.any)) return {bits(plain.path), 0};
   const CurveArgument value = split(v);
   const Pixels p{v, _mm256_cmpeq_epi8(v, r), greener, _mm256_subs_epu8(b, g), split(chroma)};
   const __m256i path =
@@ -350,7 +383,8 @@ std::int16_t* aligned(std::vector<std::int16_t>& row) {
 Avx2Classifier::Avx2Classifier(const SegmenterOptions& options, const RedSectorTest& test,
                                cv::Size frame_size)
     : test_(test),
-      limits_{std::min(least_chroma(test.path), least_chroma(test.marker)), plain_green_is_path(test)},
+      limits_{std::min(least_chroma(test.path), least_chroma(test.marker)), pale_is_floor(test),
+              plain_green_is_path(test)},
       width_(options.width_px),
       rows_(bilinear_rows(frame_size.height, options.height_px)) {
   const std::vector<BilinearTap> columns = bilinear_columns(frame_size.width, options.width_px);

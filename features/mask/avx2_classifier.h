@@ -31,9 +31,9 @@ class Avx2Classifier : public FrameClassifier {
 
   /// What decides on most pixels before the exact test.
   struct Limits {
-    int chroma_least = 0;  ///< of a pixel of either class
-    bool plain_green_is_path =
-        false;  ///< c ≥ v/2 and g − b ≥ 3/4 c make any bright pixel path and none marker
+    int chroma_least = 0;              ///< of a pixel of either class
+    bool pale_is_floor = false;        ///< c < 5/16 v makes a pixel neither
+    bool plain_green_is_path = false;  ///< c ≥ 3/8 v and g − b ≥ 3/4 c make a bright pixel path alone
   };
 
  private:
