@@ -1,18 +1,27 @@
 #include "features/line/border_field.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
-
-#include "features/geometry/angles.h"
 
 namespace lineservo::features {
 namespace {
 
 constexpr int kSpread = 3;  // a border's directions scatter over about so many bins each way
 constexpr int kAll = BorderField::kDirections;
+constexpr double kAxisError_deg = 0.3;  // of BorderPoint::theta_rad
 
+// Bins to either side that hold all points within an angle: those have an error of their own, and the angle
+// starts anywhere in its bin.
+constexpr int reach_of(double within_rad) {
+  return static_cast<int>(within_rad * (kAll / kPi) + kAxisError_deg) + 1;
+}
+constexpr int kReach = reach_of(BorderField::kWidest_rad);
+
+// Of an axis in [−π/2, π/2]; both ends are the same axis.
 int direction_bin(double theta_rad) {
-  const int bin = static_cast<int>(std::floor((theta_rad + kPi / 2.0) * (kAll / kPi)));
-  return bin >= kAll ? bin - kAll : bin < 0 ? bin + kAll : bin;
+  const int bin = static_cast<int>((theta_rad + kPi / 2.0) * (kAll / kPi));
+  return bin >= kAll ? bin - kAll : bin;
 }
 
 double axis_angle(double theta_rad) {
@@ -46,12 +55,6 @@ void BorderField::assign(const std::vector<BorderPoint>& points) {
   is_stale_.fill(true);
 }
 
-void BorderField::set_use(std::size_t i, PointUse use) {
-  if (use_[i] == use) return;
-  use_[i] = use;
-  is_stale_[bins_[i]] = true;
-}
-
 void BorderField::release_deferred() {
   for (std::size_t i = 0; i < use_.size(); ++i)
     if (use_[i] == PointUse::deferred) set_use(i, PointUse::free);
@@ -61,10 +64,12 @@ std::size_t BorderField::first_of(int bin) const {
   return bin <= kAll ? first_[index(bin)] : use_.size() + first_[index(bin - kAll)];
 }
 
-std::span<const BorderPoint> BorderField::near(double theta_rad) const {
+std::span<const BorderPoint> BorderField::near(double theta_rad, double within_rad) const {
+  assert(within_rad <= kWidest_rad);
+  const int reach = reach_of(within_rad);
   const int bin = direction_bin(std::remainder(theta_rad, kPi));
-  const int from = bin >= kReach ? bin - kReach : bin - kReach + kAll;
-  const std::size_t begin = first_of(from), end = first_of(from + 2 * kReach + 1);
+  const int from = bin >= reach ? bin - reach : bin - reach + kAll;
+  const std::size_t begin = first_of(from), end = first_of(from + 2 * reach + 1);
   return {points_.data() + begin, end - begin};
 }
 
@@ -74,13 +79,17 @@ void BorderField::measure_bins() {
     is_stale_[bin] = false;
     free_length_[bin] = 0.0;
     for (std::size_t i = first_[bin]; i < first_[bin + 1]; ++i)
-      if (use_[i] == PointUse::free) free_length_[bin] += points_[i].length;
+      free_length_[bin] += points_[i].length * int{use_[i] == PointUse::free};
   }
 }
 
 std::optional<DirectionPeak> BorderField::strongest_direction() {
   measure_bins();
-  const auto length = [this](int bin) { return free_length_[index((bin + kAll) % kAll)]; };
+  std::array<double, kAll + 2 * kSpread> around;  // the ends repeated
+  std::copy(free_length_.end() - kSpread, free_length_.end(), around.begin());
+  std::copy(free_length_.begin(), free_length_.end(), around.begin() + kSpread);
+  std::copy(free_length_.begin(), free_length_.begin() + kSpread, around.end() - kSpread);
+  const auto length = [&around](int bin) { return around[index(bin + kSpread)]; };
   double sum = 0.0;
   for (int k = -kSpread; k < kSpread; ++k) sum += length(k);
   double best = 0.0;

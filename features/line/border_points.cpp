@@ -97,7 +97,7 @@ void BorderExtractor::scan_rows(const MaskView& mask) {
 
 void BorderExtractor::scan_columns(const MaskView& mask) {
   const int stride = options_.stride_px;
-  const int lines = mask.width / stride;
+  const int lines = mask.width / stride, stride_bits = std::countr_zero(static_cast<unsigned>(stride));
   reset(columns_, lines);
   std::uint64_t scanned = 0;
   for (int bit = stride / 2; bit < 64; bit += stride) scanned |= std::uint64_t{1} << bit;
@@ -108,7 +108,7 @@ void BorderExtractor::scan_columns(const MaskView& mask) {
       std::uint64_t toggles = (row[word] ^ above[word]) & scanned;
       for (; toggles != 0; toggles &= toggles - 1) {
         const int bit = std::countr_zero(toggles);
-        const int line = (word * 64 + bit) / stride;
+        const int line = (word * 64 + bit) >> stride_bits;
         if (line < lines) add(columns_, line, y, (row[word] >> bit) & 1u);
       }
     }
@@ -122,8 +122,11 @@ void BorderExtractor::flatten(Family& family) const {
     family.first.push_back(static_cast<int>(family.crossings.size()));
     if (family.count[line] > options_.max_crossings_a_line) continue;
     const std::uint16_t* raw = &family.raw[line * static_cast<std::size_t>(options_.max_crossings_a_line)];
-    for (int i = 0; i < family.count[line]; ++i)
-      family.crossings.push_back({.position_px = raw[i] >> 1, .into_paint = (raw[i] & 1) != 0});
+    for (int i = 0; i < family.count[line]; ++i) {
+      const int self = static_cast<int>(family.crossings.size());
+      family.crossings.push_back(
+          {.position_px = raw[i] >> 1, .into_paint = (raw[i] & 1) != 0, .previous = self, .next = self});
+    }
   }
   family.first.push_back(static_cast<int>(family.crossings.size()));
 }
@@ -145,7 +148,7 @@ void BorderExtractor::link(Family& family, int reach_px) {
         nearest_px = std::abs(step_px);
         crossing.next = j;
       }
-      if (crossing.next >= 0) family.crossings[static_cast<std::size_t>(crossing.next)].previous = i;
+      if (crossing.next != i) family.crossings[static_cast<std::size_t>(crossing.next)].previous = i;
     }
   }
 }
@@ -157,11 +160,14 @@ void BorderExtractor::emit(const Family& family, int axis, double spacing,
                            std::vector<BorderPoint>& points) const {
   const auto at = [&](int i) -> const Crossing& { return family.crossings[static_cast<std::size_t>(i)]; };
   for (const Crossing& crossing : family.crossings) {
-    const Crossing* from = &crossing;
-    const Crossing* to = &crossing;
+    const Crossing *from = &crossing, *to = &crossing;
     int links = 0;
-    for (int k = 0; k < kSmoothingLinks && from->previous >= 0; ++k, ++links) from = &at(from->previous);
-    for (int k = 0; k < kSmoothingLinks && to->next >= 0; ++k, ++links) to = &at(to->next);
+    for (int k = 0; k < kSmoothingLinks; ++k) {
+      const Crossing *before = &at(from->previous), *after = &at(to->next);
+      links += int{before != from} + int{after != to};
+      from = before;
+      to = after;
+    }
     if (links < options_.min_links) continue;
     const Eigen::Vector2d along = (to->p_L - from->p_L).normalized();
     // Scanning a row (axis 1) the tangent points down and paint on the right means a normal towards +x.

@@ -37,8 +37,7 @@ class BorderExtractor {
   struct Crossing {
     int position_px;  ///< along the scan line: between this pixel and the one before
     bool into_paint;
-    int previous = -1;
-    int next = -1;
+    int previous, next;  ///< itself where the chain ends
     Eigen::Vector2d p_L = {0.0, 0.0};
   };
   /// The crossings of one family of parallel scan lines, in order, line after line.

@@ -10,16 +10,22 @@ namespace {
 
 constexpr double kLeastShare = 0.2;  // of the longest border of its kind: less is wear, or waits its turn
 
+// std::floor without the call.
+int floor_of(double x) {
+  const int towards_zero = static_cast<int>(x);
+  return towards_zero - int{x < towards_zero};
+}
+
 }  // namespace
 
 OffsetVotes::OffsetVotes(const BorderField& border, double theta_rad) {
   const Eigen::Vector2d n(std::cos(theta_rad), std::sin(theta_rad));
   const double cos_gate = std::cos(kGate_rad);
-  for (const BorderPoint& point : border.near(theta_rad)) {
+  for (const BorderPoint& point : border.near(theta_rad, kGate_rad)) {
     if (border.use(border.number(point)) != PointUse::free) continue;
     const double facing = point.normal.dot(n);
     if (std::abs(facing) < cos_gate) continue;
-    const int bin = static_cast<int>(std::floor(point.p_L.dot(n) / kBin)) + kBins / 2;
+    const int bin = floor_of(point.p_L.dot(n) / kBin) + kBins / 2;
     if (bin < 0 || bin >= kBins) continue;
     length_[facing > 0.0][static_cast<std::size_t>(bin)] += point.length;
     first_ = std::min(first_, static_cast<std::size_t>(bin));
@@ -35,6 +41,7 @@ std::vector<OffsetPeak> OffsetVotes::peaks(bool rising, double min_length) const
   const std::size_t from = std::max<std::size_t>(first_, 3) - 1,
                     to = std::min<std::size_t>(last_ + 2, kBins - 2);
   for (std::size_t k = from - 1; k < to + 1; ++k) longest = std::max(longest, run(k));
+  if (longest < min_length) return {};
   min_length = std::max(min_length, kLeastShare * longest);
   std::vector<OffsetPeak> found;
   for (std::size_t k = from; k < to; ++k) {

@@ -9,7 +9,7 @@ namespace lineservo::features {
 /// square lattice of at most kPoints of them, evenly over the mask. One line.
 class FitlineDetector final : public MaskLineDetector {
  public:
-  static constexpr int kPoints = 2000;
+  static constexpr int kPoints = 500;
 
  private:
   std::vector<ImageLine> find(const PackedMask& mask) override;

@@ -12,12 +12,13 @@
 namespace lineservo::features {
 namespace {
 
-constexpr int kRounds = 10;            // directions tried in each pass
-constexpr double kPeakLength = 0.06;   // of border, for an offset to count
-constexpr double kNear = 0.03;         // of a border: three bins of the vote
-constexpr double kOwn = 0.02;          // of a fitted border: its points
-constexpr double kBesideEnd = 0.05;    // the cap of a dead end lies so near to the end
-constexpr double kFacing = 0.966;      // cos 15°
+constexpr int kRounds = 10;           // directions tried in each pass
+constexpr double kPeakLength = 0.06;  // of border, for an offset to count
+constexpr double kNear = 0.03;        // of a border: three bins of the vote
+constexpr double kOwn = 0.02;         // of a fitted border: its points
+constexpr double kBesideEnd = 0.05;   // the cap of a dead end lies so near to the end
+constexpr double kFacing = 0.966;     // of the angle that follows
+constexpr double kFacing_rad = radians(15.0);
 constexpr double kUnhinted = 0.5;      // border length for a stripe whose width nobody knows
 constexpr double kGuessQuality = 0.3;  // factor when the width is a guess
 constexpr double kSameDirection_rad = radians(20.0);
@@ -78,6 +79,7 @@ void StripeFinder::search_single_borders(const std::optional<StripePrior>& prior
 bool StripeFinder::take_pair(double theta_rad) {
   const OffsetVotes votes(border_, theta_rad);
   const std::vector<OffsetPeak> falling = votes.peaks(false, kPeakLength);
+  if (falling.empty()) return false;
   candidates_.clear();
   for (const OffsetPeak& near : votes.peaks(true, kPeakLength)) {
     for (const OffsetPeak& far : falling) {
@@ -168,18 +170,18 @@ bool StripeFinder::only_one_border_in_view(const StripeCourse& course, double si
   return 2 * seen < samples;
 }
 
+// Without branches, as all loops over the points: worn paint would mispredict every other one.
 void StripeFinder::spend_points_of(const Stripe& stripe) {
   const StripeAxes axes(stripe.course);
   const double half = 0.5 * stripe.course.width;
   for (std::size_t i = 0; i < border_.size(); ++i) {
     const BorderPoint& point = border_.at(i);
-    const double across = std::abs(axes.across(point.p_L));
-    if (across >= half + kOwn || border_.use(i) == PointUse::spent) continue;
-    const double along = axes.along(point.p_L);
-    const bool beside = along > stripe.begin.along - kBesideEnd && along < stripe.end.along + kBesideEnd;
-    const bool inside = across < half + 0.5 * kOwn && beside;
-    const bool own = across > half - kOwn && std::abs(point.normal.dot(axes.normal())) > kFacing;
-    if (inside || own) border_.set_use(i, PointUse::spent);
+    const double across = std::abs(axes.across(point.p_L)), along = axes.along(point.p_L);
+    const bool beside = (along > stripe.begin.along - kBesideEnd) & (along < stripe.end.along + kBesideEnd);
+    const bool inside = (across < half + 0.5 * kOwn) & beside;
+    const bool faces = std::abs(point.normal.dot(axes.normal())) > kFacing;
+    const bool own = (std::abs(across - half) < kOwn) & faces;
+    border_.spend_if(i, inside | own);
   }
 }
 
@@ -188,22 +190,23 @@ void StripeFinder::defer_direction(double theta_rad) {
     const double apart_rad = std::abs(point_theta_rad - theta_rad);
     return std::min(apart_rad, kPi - apart_rad) < kTried_rad;
   };
-  for (const BorderPoint& point : border_.near(theta_rad)) {
+  for (const BorderPoint& point : border_.near(theta_rad, kTried_rad)) {
     const std::size_t i = border_.number(point);
-    if (border_.use(i) == PointUse::free && tried(point.theta_rad)) border_.set_use(i, PointUse::deferred);
+    const bool defers = (border_.use(i) == PointUse::free) & tried(point.theta_rad);
+    border_.set_use(i, defers ? PointUse::deferred : border_.use(i));
   }
 }
 
 StripeFinder::Support StripeFinder::support(const StripeCourse& course) const {
   const StripeAxes axes(course);
-  Support range{.from = std::numeric_limits<double>::infinity(),
-                .to = -std::numeric_limits<double>::infinity()};
-  for (const BorderPoint& point : border_.near(course.theta_rad)) {
-    if (std::abs(border_residual(point, course, axes.normal())) > kNear) continue;
-    if (std::abs(point.normal.dot(axes.normal())) < kFacing) continue;
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  Support range{.from = kNowhere, .to = -kNowhere};
+  for (const BorderPoint& point : border_.near(course.theta_rad, kFacing_rad)) {
+    const bool is_near = std::abs(border_residual(point, course, axes.normal())) <= kNear;
+    const bool supports = is_near & (std::abs(point.normal.dot(axes.normal())) >= kFacing);
     const double along = axes.along(point.p_L);
-    range.from = std::min(range.from, along);
-    range.to = std::max(range.to, along);
+    range.from = std::min(range.from, supports ? along : kNowhere);
+    range.to = std::max(range.to, supports ? along : -kNowhere);
   }
   if (range.from > range.to) range = {};
   return range;

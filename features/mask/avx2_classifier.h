@@ -7,6 +7,7 @@
 #include "features/mask/bilinear_axis.h"
 #include "features/mask/frame_classifier.h"
 #include "features/mask/red_sector_test.h"
+#include "features/mask/vector_color_test.h"
 
 namespace lineservo::features {
 
@@ -29,18 +30,11 @@ class Avx2Classifier : public FrameClassifier {
     std::array<std::int8_t, 32> weight_high{}, weight_low{};  ///< (w0, w1) = 64 · high + low
   };
 
-  /// What decides on most pixels before the exact test.
-  struct Limits {
-    int chroma_least = 0;  ///< of a pixel of either class
-    bool plain_green_is_path =
-        false;  ///< c ≥ v/2 and g − b ≥ 3/4 c make any bright pixel path and none marker
-  };
-
  private:
   const std::int16_t* resized_row(const cv::Mat& frame, int y);
 
   RedSectorTest test_;
-  Limits limits_;
+  vector_test::PlainLimits limits_;
   int width_;
   bool pairs_are_near_;
   std::vector<Gather> gathers_;

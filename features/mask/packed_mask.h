@@ -13,7 +13,7 @@ namespace lineservo::features {
 /// A binary image, 64 pixels to a word: pixel (x, y) is bit x mod 64 of word x / 64 of row y.
 /// Every row starts on a word. Bits past the width are always zero; who writes through `row` keeps it so.
 ///
-/// Rows lie `stride` words apart, a multiple of four, and at least one word of zeros stands before and after
+/// Rows lie `stride` words apart, a multiple of eight, and at least one word of zeros stands before and after
 /// every row: vector code reads whole rows and their neighbouring words without looking for the ends.
 class PackedMask {
  public:
@@ -58,7 +58,7 @@ class PackedMask {
   friend bool operator==(const PackedMask&, const PackedMask&) = default;
 
  private:
-  static constexpr std::size_t kAlignedWords = 4;
+  static constexpr std::size_t kAlignedWords = 8;
 
   // The first row starts after one aligned group of zeros.
   std::size_t index(int x, int y) const {

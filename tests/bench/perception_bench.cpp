@@ -117,6 +117,7 @@ void All(benchmark::State& state, Processor processor) {
 
 BENCHMARK(StockResize)->Unit(benchmark::kMicrosecond);
 BENCHMARK(StockColor)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ResizeAndColor, best, features::best_processor(), kVga)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ResizeAndColor, avx2, Processor::avx2, kVga)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ResizeAndColor, portable, Processor::portable, kVga)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ResizeAndColor, full_hd, Processor::avx2, kFullHd)->Unit(benchmark::kMicrosecond);
@@ -129,6 +130,7 @@ BENCHMARK(StockCentroid)->Unit(benchmark::kMicrosecond);
 BENCHMARK(Profile)->Unit(benchmark::kMicrosecond);
 BENCHMARK(DensitiesAndCode)->Unit(benchmark::kMicrosecond);
 BENCHMARK(StockAll)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(All, best, features::best_processor())->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(All, avx2, Processor::avx2)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(All, portable, Processor::portable)->Unit(benchmark::kMicrosecond);
 

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "features/geometry/angles.h"
+#include "features/line/mask_pixels.h"
 #include "tests/features/line/drawn_stripe.h"
 
 namespace lineservo::features {
@@ -160,6 +162,27 @@ TEST(NaiveDetector, FindsABorderHalfAWidthOff) {
   const auto lines = detect("naive", image, yellow_mask(image));
   ASSERT_FALSE(lines.empty());
   EXPECT_NEAR(std::abs(lines.front().image.rho_px - 239.5), 20.0, 1.5);
+}
+
+// kPoints of the mask give the line that all 16,000 of them give.
+TEST(FitlineDetector, ASampleOfThePaintGivesTheLineOfAllOfIt) {
+  for (const double theta_deg : {0.0, 33.0, -80.0}) {
+    const DrawnStripe stripe = stripe_through(250.0, 170.0, theta_deg, 40.0);
+    const cv::Mat image = draw_image(kSize, {stripe});
+    const PackedMask mask = yellow_mask(image);
+    std::vector<cv::Point2f> points;
+    for_each_pixel(
+        mask, [&points](int x, int y) { points.emplace_back(static_cast<float>(x), static_cast<float>(y)); });
+    cv::Vec4f all;
+    cv::fitLine(points, all, cv::DIST_HUBER, 0.0, 0.01, 0.01);
+    const ImageLine expected =
+        line_through({all[2], all[3]}, {all[2] + 100.0 * all[0], all[3] + 100.0 * all[1]});
+    const auto lines = detect("fitline", image, mask);
+    ASSERT_FALSE(lines.empty()) << theta_deg;
+    const PixelPoint middle{250.0, 170.0};
+    EXPECT_NEAR(std::abs(lines.front().image.across(middle)), std::abs(expected.across(middle)), 1.0);
+    EXPECT_LT(std::abs(degrees(difference(lines.front().image, expected).theta_rad)), 0.5) << theta_deg;
+  }
 }
 
 TEST(MaskMethods, AMaskOfAnotherSizeGivesPixelsOfTheImage) {

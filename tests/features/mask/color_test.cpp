@@ -1,6 +1,7 @@
 // The colour tests over all 2²⁴ colours, against OpenCV.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "features/mask/color_classes.h"
@@ -75,7 +76,8 @@ TEST(AllColors, RedSectorTestEqualsInRange) {
 }
 
 TEST(AllColors, BothClassifiersEqualInRange) {
-  for (const Processor processor : {Processor::portable, best_processor()}) {
+  for (const Processor processor :
+       {Processor::portable, std::min(Processor::avx2, best_processor()), best_processor()}) {
     const auto classifier = make_classifier(unscaled(), {kSide, kSide}, processor);
     PackedMask path(kSide, kSide), marker(kSide, kSide);
     for_all_colors([&](int b, const cv::Mat& image, const StockSegmentation& stock) {
