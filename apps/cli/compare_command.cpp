@@ -23,6 +23,8 @@
 namespace lineservo::apps {
 namespace {
 
+const std::vector<std::string> kResults = {"comparison.csv", "distribution.csv", "comparison.json"};
+
 struct Arguments {
   Block block;  ///< without a preset
   ComparisonOptions options;
@@ -94,7 +96,7 @@ int compare(const Arguments& arguments) {
   const ComparisonOptions options = options_of(arguments);
   Comparison comparison(options);
   std::optional<ResultFolder> folder;
-  if (arguments.out) folder.emplace(*arguments.out);
+  if (arguments.out) folder.emplace(*arguments.out, kResults);
 
   watch_for_interrupt();
   StudyProgress progress("compare", "flights");

@@ -28,7 +28,8 @@ void show_progress(std::size_t done, std::size_t all) {
 
 int evaluate(const Arguments& arguments) {
   std::optional<ResultFolder> folder;
-  if (arguments.out) folder.emplace(*arguments.out);
+  if (arguments.out)
+    folder.emplace(*arguments.out, std::vector<std::string>{"evaluation.csv", "evaluation.json"});
   std::vector<JunctionCase> cases = junction_cases(arguments.seed);
   run(cases, show_progress);
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");

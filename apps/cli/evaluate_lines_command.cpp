@@ -32,7 +32,8 @@ bool show_progress(double share) {
 
 int evaluate(const Arguments& arguments) {
   std::optional<ResultFolder> folder;
-  if (arguments.out) folder.emplace(*arguments.out);
+  if (arguments.out)
+    folder.emplace(*arguments.out, std::vector<std::string>{"evaluation.csv", "evaluation.json"});
   watch_for_interrupt();
   const std::vector<LineEvaluationRow> rows = evaluate_lines(arguments.options, show_progress);
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");

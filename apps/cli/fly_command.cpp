@@ -57,7 +57,7 @@ int fly(const FlyArguments& arguments) {
     return kDone;
   }
   std::optional<ResultFolder> folder;
-  if (arguments.out) folder.emplace(*arguments.out);
+  if (arguments.out) folder.emplace(*arguments.out, flight_files());
   const OwnFiles own = own_files(request);
 
   watch_for_interrupt();

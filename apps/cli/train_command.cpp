@@ -24,8 +24,7 @@ void train(const TrainArguments& arguments) {
   const auto color = features::line_color(arguments.color);
   if (!color) throw InputError("train-colour: --color must be yellow, red, white or black");
   const std::filesystem::path out = arguments.out;
-  ResultFolder folder(out.has_parent_path() ? out.parent_path() : ".");
-  folder.check(out.filename().string());
+  ResultFolder folder(out.has_parent_path() ? out.parent_path() : ".", {out.filename().string()});
   const auto samples = color_samples(*color, arguments.samples, arguments.seed);
   const auto svm = features::ColorSvm::trained(samples);
   folder.write(out.filename().string(), svm.to_text());

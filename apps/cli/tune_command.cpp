@@ -52,6 +52,12 @@ std::string text_of(const TuningResult& result) {
   return text;
 }
 
+std::vector<std::string> results_of(const Arguments& arguments) {
+  std::vector<std::string> names = {"tuning.json"};
+  for (const std::string& name : arguments.controllers) names.push_back(name + ".yaml");
+  return names;
+}
+
 void write_results(ResultFolder& folder, const Arguments& arguments,
                    const std::vector<TuningResult>& results) {
   ordered_json json = {{"version", kVersion}, {"budget", arguments.options.budget}};
@@ -67,7 +73,7 @@ int run(const Arguments& arguments) {
   for (const std::string& name : arguments.controllers) servo::find_controller(name);
   refuse_repeats("tune", arguments.controllers);
   std::optional<ResultFolder> folder;
-  if (arguments.out) folder.emplace(*arguments.out);
+  if (arguments.out) folder.emplace(*arguments.out, results_of(arguments));
   watch_for_interrupt();
   std::vector<TuningResult> results;
   for (const std::string& name : arguments.controllers) {

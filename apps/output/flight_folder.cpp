@@ -23,6 +23,12 @@ void keep(ResultFolder& folder, const std::string& name, const std::optional<std
 
 }  // namespace
 
+const std::vector<std::string>& flight_files() {
+  static const std::vector<std::string> kFiles = {"layout.yaml", "conditions.yaml", "flight.csv",
+                                                  "events.csv",  "config.yaml",     "summary.json"};
+  return kFiles;
+}
+
 OwnFiles own_files(const FlightRequest& request) {
   return {own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions)};
 }

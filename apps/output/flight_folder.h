@@ -16,6 +16,9 @@ struct OwnFiles {
   std::optional<std::string> layout, conditions;
 };
 
+/// The names of all that a flight may leave in its folder.
+const std::vector<std::string>& flight_files();
+
 /// Throws InputError when a file cannot be read. Call it before the flight: afterwards they may have changed.
 OwnFiles own_files(const FlightRequest& request);
 

@@ -41,13 +41,15 @@ class FolderLock {
 
 }  // namespace
 
-ResultFolder::ResultFolder(const fs::path& folder) : folder_(folder), suffix_(own_suffix()) {
+ResultFolder::ResultFolder(const fs::path& folder, const std::vector<std::string>& results)
+    : folder_(folder), suffix_(own_suffix()) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw InputError(fmt::format("--out {}: cannot be made: {}", folder_.string(), error.message()));
   if (::access(folder_.c_str(), W_OK | X_OK) != 0 || !fs::is_directory(folder_)) {
     throw InputError(fmt::format("--out {}: is not a folder that can be written to", folder_.string()));
   }
+  for (const std::string& name : results) check(name);
 }
 
 ResultFolder::~ResultFolder() {

@@ -12,8 +12,9 @@ namespace lineservo::apps {
 /// Of several that publish into one folder each waits for the other.
 class ResultFolder {
  public:
-  /// Makes the folder when it is not there, and proves that it can be written to. Throws InputError.
-  explicit ResultFolder(const std::filesystem::path& folder);
+  /// Makes the folder when it is not there, and proves that it can be written to and that the names of the
+  /// results are free or files': so that nothing is flown for results that have no place. Throws InputError.
+  explicit ResultFolder(const std::filesystem::path& folder, const std::vector<std::string>& results = {});
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;

@@ -45,5 +45,15 @@ TEST_F(CompareCommandTest, TakesNothingTwice) {
   EXPECT_THAT(refusal({"compare", "--speeds", "0.3,0.3"}), HasSubstr("--speeds: '0.3' is named twice"));
 }
 
+TEST_F(CompareCommandTest, RefusesAResultNameThatIsNoFileBeforeItFlies) {
+  for (const char* name : {"comparison.json", "comparison.csv", "distribution.csv"}) {
+    const fs::path out = path(std::string("out-") + name);
+    fs::create_directories(out / name);
+    EXPECT_THAT(refusal({"compare", "--instructions", "node:q", "--layout", short_flight()[3], "--conditions",
+                         "ideal", "--controllers", "ibvs", "--runs", "1", "--out", out}),
+                HasSubstr("it is a folder"));
+  }
+}
+
 }  // namespace
 }  // namespace lineservo::apps

@@ -78,6 +78,16 @@ TEST_F(FlyCommandTest, AFullDiskIsOneErrorAndLeavesNothing) {
   EXPECT_TRUE(!fs::exists(path("out")) || fs::is_empty(path("out")));
 }
 
+TEST_F(FlyCommandTest, RefusesAResultNameThatIsNoFileBeforeItFlies) {
+  for (const char* name :
+       {"summary.json", "flight.csv", "events.csv", "config.yaml", "layout.yaml", "conditions.yaml"}) {
+    const fs::path out = path(std::string("out-") + name);
+    fs::create_directories(out / name);
+    EXPECT_THAT(refusal(short_flight({"--out", out})),
+                AllOf(HasSubstr((out / name).string()), HasSubstr("it is a folder")));
+  }
+}
+
 TEST_F(FlyCommandTest, ExplainsAPlanWithoutFlying) {
   const Ran ran = run({"fly", "a13", "--explain"});
   EXPECT_EQ(ran.exit_code, 0);

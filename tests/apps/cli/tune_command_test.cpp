@@ -22,5 +22,13 @@ TEST_F(TuneCommandTest, TakesNothingTwice) {
   EXPECT_FALSE(fs::exists(path("out")));
 }
 
+TEST_F(TuneCommandTest, RefusesAResultNameThatIsNoFileBeforeItFlies) {
+  for (const char* name : {"pid.yaml", "tuning.json"}) {
+    const fs::path out = path(std::string("out-") + name);
+    fs::create_directories(out / name);
+    EXPECT_THAT(refusal({"tune", "pid", "--budget", "1", "--out", out}), HasSubstr("it is a folder"));
+  }
+}
+
 }  // namespace
 }  // namespace lineservo::apps

@@ -1,0 +1,23 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/apps/cli/program_test.h"
+
+namespace lineservo::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using EvaluateCommandTest = ProgramTest;
+
+TEST_F(EvaluateCommandTest, RefusesAResultNameThatIsNoFileBeforeItBegins) {
+  for (const char* name : {"evaluation.json", "evaluation.csv"}) {
+    const fs::path out = path(std::string("out-") + name);
+    fs::create_directories(out / name);
+    for (const char* what : {"lines", "junctions"})
+      EXPECT_THAT(refusal({"evaluate", what, "--seed", "3", "--out", out}), HasSubstr("it is a folder"));
+  }
+}
+
+}  // namespace
+}  // namespace lineservo::apps
