@@ -5,12 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <set>
 
 #include "apps/cli/interrupt.h"
+#include "apps/cli/list_option.h"
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
-#include "apps/cli/repeats.h"
 #include "apps/cli/study_progress.h"
 #include "apps/compare/comparison_table.h"
 #include "apps/compare/parallel.h"
@@ -66,10 +65,6 @@ std::vector<Block> preset_blocks(const Arguments& a) {
 }
 
 ComparisonOptions options_of(const Arguments& a) {
-  refuse_repeats("--controllers", a.block.controllers);
-  refuse_repeats("--instructions", a.block.instructions);
-  refuse_repeats("--layout", a.block.layouts);
-  refuse_repeats("--speeds", a.block.speeds_m_s);
   for (const std::string& name : a.block.controllers) servo::find_controller(name);
   ComparisonOptions options = a.options;
   options.blocks = a.preset ? preset_blocks(a) : std::vector<Block>{block_of(a)};
@@ -120,22 +115,18 @@ int compare(const Arguments& arguments) {
 
 void add_flight_options(CLI::App& command, Arguments& a) {
   CLI::Option* instructions =
-      command.add_option("--instructions", a.block.instructions, "default a03,a13,a23,a53")->delimiter(',');
+      add_list_option(command, "--instructions", a.block.instructions, "default a03,a13,a23,a53");
   CLI::Option* layouts =
-      command.add_option("--layout", a.block.layouts, "floors, or YAML files (default warehouse)")
-          ->delimiter(',');
-  CLI::Option* speeds = command
-                            .add_option("--speeds", a.block.speeds_m_s,
-                                        "speeds in m/s, each flown by all (default: that of the conditions)")
-                            ->delimiter(',');
+      add_list_option(command, "--layout", a.block.layouts, "floors, or YAML files (default warehouse)");
+  CLI::Option* speeds = add_list_option(command, "--speeds", a.block.speeds_m_s,
+                                        "speeds in m/s, each flown by all (default: that of the conditions)");
   CLI::Option* own = command.add_flag("--own-speed", a.block.own_speed,
                                       "each controller at its paper's speed, where that gives one");
   own->excludes(speeds);
   CLI::Option* preset = command.add_option(
       "--preset", a.preset, "a paper's experiment, its figures beside: topology, lfpf, grid-flight");
   for (CLI::Option* other : {instructions, layouts, speeds, own}) preset->excludes(other);
-  command.add_option("--controllers", a.block.controllers, "default: all that ship, or the preset's")
-      ->delimiter(',');
+  add_list_option(command, "--controllers", a.block.controllers, "default: all that ship, or the preset's");
   command.add_option("--conditions", a.options.conditions,
                      "conditions that ship, or a YAML file (default paper)");
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "apps/cli/interrupt.h"
+#include "apps/cli/list_option.h"
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
 #include "apps/evaluate/line_evaluation.h"
@@ -58,10 +59,9 @@ void add_evaluate_lines_command(CLI::App& group, int& exit_code) {
       "lines", "line methods on clean, real-like and harsh frames, 1920x1080 and 640x480");
   add_whole_option(*command, "--frames", a.options.frames, 1, 100000, "frames of each level and size");
   add_seed_option(*command, a.options.seed, "seed of everything random");
-  command->add_option("--methods", a.options.methods, "only these, separated by commas (default: all)")
-      ->delimiter(',');
-  command->add_option("--levels", a.options.levels, "only these of clean, real-like, harsh (default: all)")
-      ->delimiter(',');
+  add_list_option(*command, "--methods", a.options.methods, "only these, separated by commas (default: all)");
+  add_list_option(*command, "--levels", a.options.levels,
+                  "only these of clean, real-like, harsh (default: all)");
   command->add_option("--empty", a.options.empty_share,
                       "share of the frames that show no line, 0 to 1 (default 0.1)");
   command->add_option("--out", a.out, "folder for evaluation.json and evaluation.csv");

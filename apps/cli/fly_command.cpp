@@ -30,17 +30,25 @@ struct FlyArguments {
   bool land = false, tuned = false, explain = false, json = false;
 };
 
+void refuse_two_speeds(const FlyArguments& a) {
+  for (const std::string& assignment : a.overrides) {
+    if (a.speed && assignment.starts_with("speed_m_s="))
+      throw InputError("fly: --speed and --set speed_m_s both give the speed; only one of them is allowed");
+  }
+}
+
 FlightRequest request_of(const FlyArguments& a) {
   if (a.config && a.conditions)
     throw InputError(
         "fly: --config holds every setting, so --conditions cannot go with it; use --set KEY=VALUE");
+  refuse_two_speeds(a);
   FlightRequest request = a.config ? read_config(*a.config) : FlightRequest{};
   if (!a.config) apply_conditions(request, a.conditions.value_or(request.conditions));
   if (!a.target.empty()) request.instruction = a.target;
   if (a.controller) request.controller = *a.controller;
   if (a.layout) request.layout = *a.layout;
   if (a.seed) request.seed = read_seed(*a.seed, fmt::format("--seed {}", *a.seed));
-  if (a.tuned) apply_tuned(request);
+  if (a.tuned) apply_shipped_tuned(request, "--tuned");
   if (a.land) request.land = true;
   if (a.speed) SettingsTable(request.settings).set("speed_m_s", *a.speed, "--speed");
   for (const std::string& assignment : a.overrides) apply_override(request, assignment);

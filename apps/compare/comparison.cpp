@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
+#include <set>
 
 #include "apps/compare/fly_again.h"
 #include "apps/config/input_error.h"
+#include "apps/config/settings_table.h"
 #include "apps/config/tuned_settings.h"
 
 namespace lineservo::apps {
@@ -24,8 +27,8 @@ void complete(Entry& entry, const ComparisonOptions& options, std::optional<doub
   apply_conditions(request, options.conditions);
   request.controller = entry.controller;
   request.layout = entry.layout;
-  if (speed_m_s) apply_override(request, fmt::format("speed_m_s={}", *speed_m_s));
-  if (entry.tuned) apply_tuned(request);
+  if (speed_m_s) SettingsTable(request.settings).set("speed_m_s", fmt::format("{}", *speed_m_s), "--speeds");
+  if (entry.tuned) apply_shipped_tuned(request, "--tuning tuned");
   for (const std::string& assignment : entry.overrides) apply_override(request, assignment);
   entry.speed_m_s = request.settings.speed_m_s;
 }
@@ -77,6 +80,37 @@ void add_block(std::vector<Entry>& entries, const Block& block, const Comparison
   }
 }
 
+std::string key_of(const std::string& assignment) {
+  return assignment.substr(0, assignment.find('='));
+}
+
+/// The settings that tell the rows of a block apart.
+std::set<std::string> keys_of(const Block& block) {
+  std::set<std::string> keys;
+  if (block.own_speed || !block.speeds_m_s.empty()) keys.insert("speed_m_s");
+  for (const Variant& variant : block.variants)
+    for (const std::string& assignment : variant.overrides) keys.insert(key_of(assignment));
+  return keys;
+}
+
+/// A setting for every flight would win over these, and the rows would not be what their labels say.
+void refuse_overruled(const Block& block, const ComparisonOptions& options) {
+  const std::set<std::string> keys = keys_of(block);
+  for (const std::string& assignment : options.overrides) {
+    if (!keys.contains(key_of(assignment))) continue;
+    throw InputError(fmt::format("--set {}: cannot go with --speeds, --own-speed or --preset, which set it",
+                                 key_of(assignment)));
+  }
+}
+
+void check_seeds(const ComparisonOptions& options) {
+  constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t highest = kLast - static_cast<std::uint64_t>(options.runs - 1);
+  if (options.seed <= highest) return;
+  throw InputError(fmt::format("--seed {}: with --runs {} the seeds would pass {}; it may be at most {}",
+                               options.seed, options.runs, kLast, highest));
+}
+
 }  // namespace
 
 std::string Entry::label() const {
@@ -84,6 +118,8 @@ std::string Entry::label() const {
 }
 
 std::vector<Entry> entries_of(const ComparisonOptions& options) {
+  check_seeds(options);
+  for (const Block& block : options.blocks) refuse_overruled(block, options);
   std::vector<Entry> entries;
   for (const Block& block : options.blocks) add_block(entries, block, options);
   const std::string reference = reference_of(options);

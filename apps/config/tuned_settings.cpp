@@ -33,12 +33,12 @@ void apply_tuned(FlightRequest& request, const std::filesystem::path& file) {
   }
 }
 
-void apply_tuned(FlightRequest& request) {
+void apply_shipped_tuned(FlightRequest& request, const std::string& option) {
   servo::find_controller(request.controller);
   const auto file = tuned_file(request.controller);
   if (!file) {
-    throw InputError(fmt::format("--tuned: no tuned parameters of {} ship (tuned/{}.yaml in the data folder)",
-                                 request.controller, request.controller));
+    throw InputError(fmt::format("{}: no tuned parameters of {} ship (tuned/{}.yaml in the data folder)",
+                                 option, request.controller, request.controller));
   }
   apply_tuned(request, *file);
 }

@@ -19,7 +19,8 @@ bool is_law_key(const std::string& controller, const std::string& key);
 /// controller's own, or a value that is not allowed.
 void apply_tuned(FlightRequest& request, const std::filesystem::path& file);
 
-/// The same with the file that ships for the request's controller. Throws InputError when there is none.
-void apply_tuned(FlightRequest& request);
+/// The same with the file that ships for the request's controller. Throws InputError, behind the `option`
+/// that asked for it, when there is none.
+void apply_shipped_tuned(FlightRequest& request, const std::string& option);
 
 }  // namespace lineservo::apps

@@ -9,7 +9,9 @@ namespace lineservo::apps {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::read_text;
 using CompareCommandTest = ProgramTest;
 
@@ -38,6 +40,38 @@ TEST_F(CompareCommandTest, ComparesAndWritesItsThreeFiles) {
   EXPECT_GE(json["flights"].size(), 2u);
   EXPECT_GT(fs::file_size(path("out/comparison.csv")), 0u);
   EXPECT_GT(fs::file_size(path("out/distribution.csv")), 0u);
+}
+
+TEST_F(CompareCommandTest, RefusesASettingThatItsOwnOptionsSet) {
+  const std::string set = "speed_m_s=0.5";
+  const auto say = AllOf(HasSubstr("--set speed_m_s"), HasSubstr("--speeds"), HasSubstr("--preset"));
+  EXPECT_THAT(refusal({"compare", "--speeds", "0.1,0.2", "--set", set}), say);
+  EXPECT_THAT(refusal({"compare", "--own-speed", "--set", set}), say);
+  EXPECT_THAT(refusal({"compare", "--preset", "topology", "--set", set}), say);
+  EXPECT_THAT(refusal({"compare", "--preset", "lfpf", "--set", "servo.improved-carrot.delta_px=60"}),
+              HasSubstr("--set servo.improved-carrot.delta_px"));
+}
+
+TEST_F(CompareCommandTest, NamesTheOptionThatIsWrong) {
+  EXPECT_THAT(
+      refusal({"compare", "--speeds", "0.1,5"}),
+      AllOf(HasSubstr("--speeds: "), HasSubstr("0.01 to 2"), HasSubstr("'5'"), Not(HasSubstr("--set"))));
+  EXPECT_THAT(refusal({"compare", "--speeds", "fast"}), AllOf(HasSubstr("--speeds"), HasSubstr("'fast'")));
+  EXPECT_THAT(refusal({"compare", "--controllers", "pid", "--reference", "pid", "--tuning", "tuned"}),
+              HasSubstr("--tuning tuned: no tuned parameters"));
+}
+
+TEST_F(CompareCommandTest, RefusesSeedsThatWouldBeginAgainAtNought) {
+  EXPECT_THAT(refusal({"compare", "--seed", "18446744073709551615", "--runs", "2"}),
+              AllOf(HasSubstr("--seed 18446744073709551615"), HasSubstr("--runs 2"),
+                    HasSubstr("at most 18446744073709551614")));
+}
+
+TEST_F(CompareCommandTest, ListsHaveNoEmptyItems) {
+  for (const char* option : {"--instructions", "--controllers", "--layout", "--speeds"}) {
+    for (const char* list : {"a,,b", ",a", "a,", ",", ""})
+      EXPECT_THAT(refusal({"compare", option, list}), AllOf(HasSubstr(option), HasSubstr("empty"))) << list;
+  }
 }
 
 TEST_F(CompareCommandTest, TakesNothingTwice) {

@@ -19,5 +19,16 @@ TEST_F(EvaluateCommandTest, RefusesAResultNameThatIsNoFileBeforeItBegins) {
   }
 }
 
+TEST_F(EvaluateCommandTest, ListsHaveEachItemOnceAndNoneThatIsEmpty) {
+  EXPECT_THAT(refusal({"evaluate", "lines", "--methods", "stripe,stripe"}),
+              HasSubstr("--methods: 'stripe' is named twice"));
+  EXPECT_THAT(refusal({"evaluate", "lines", "--levels", "clean,harsh,clean"}),
+              HasSubstr("--levels: 'clean' is named twice"));
+  for (const char* list : {"stripe,,naive", "stripe,", ""}) {
+    EXPECT_THAT(refusal({"evaluate", "lines", "--methods", list}), HasSubstr("--methods")) << list;
+    EXPECT_THAT(refusal({"evaluate", "lines", "--levels", list}), HasSubstr("--levels")) << list;
+  }
+}
+
 }  // namespace
 }  // namespace lineservo::apps

@@ -61,6 +61,11 @@ TEST_F(FlyCommandTest, RefusesSettingsThatAreNone) {
   EXPECT_THAT(refusal({"fly", "a13", "--set", "speed_m_s=fast"}), HasSubstr("a number from 0.01 to 2"));
 }
 
+TEST_F(FlyCommandTest, RefusesASpeedThatIsSetTwice) {
+  EXPECT_THAT(refusal({"fly", "a13", "--speed", "0.2", "--set", "speed_m_s=0.3"}),
+              AllOf(HasSubstr("--speed"), HasSubstr("--set speed_m_s")));
+}
+
 TEST_F(FlyCommandTest, RefusesAVehicleThatCannotBe) {
   EXPECT_THAT(refusal({"fly", "a13", "--set", "vehicle.rotor_radius_m=0.5"}), HasSubstr("must not overlap"));
 }

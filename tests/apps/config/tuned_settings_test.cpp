@@ -40,7 +40,7 @@ TEST(TunedSettings, EveryFileThatShipsIsReadable) {
   for (const servo::Controller& c : servo::controllers()) {
     FlightRequest request = request_of(std::string(c.name));
     if (tuned_file(request.controller)) {
-      EXPECT_NO_THROW(apply_tuned(request)) << c.name;
+      EXPECT_NO_THROW(apply_shipped_tuned(request, "--tuned")) << c.name;
     }
   }
 }
@@ -48,7 +48,7 @@ TEST(TunedSettings, EveryFileThatShipsIsReadable) {
 TEST(TunedSettings, AControllerWithoutAFileIsRefused) {
   EXPECT_FALSE(tuned_file("none"));
   FlightRequest request = request_of("none");
-  EXPECT_THROW(apply_tuned(request), std::invalid_argument);
+  EXPECT_THROW(apply_shipped_tuned(request, "--tuned"), std::invalid_argument);
 }
 
 }  // namespace
