@@ -30,7 +30,11 @@ class Gate : public YAML::EventHandler {
  public:
   explicit Gate(const std::filesystem::path& file) : file_(file) {}
 
-  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ == 1) return;
+    throw InputError(fmt::format("{}:{}: a second document (after --- or ...) is not allowed", file_.string(),
+                                 mark.line + 1));
+  }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { check(mark, anchor); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { refuse(mark); }
@@ -59,13 +63,16 @@ class Gate : public YAML::EventHandler {
   }
 
   const std::filesystem::path& file_;
+  int documents_ = 0;
 };
 
 YAML::Node load(const std::filesystem::path& file) try {
   const std::string text = read_text_file(file);
   std::istringstream stream(text);
   Gate gate(file);
-  YAML::Parser(stream).HandleNextDocument(gate);
+  YAML::Parser parser(stream);
+  while (parser.HandleNextDocument(gate)) {
+  }
   return YAML::Load(text);
 } catch (const YAML::Exception& error) {
   throw InputError(file.string() + ":" + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);

@@ -18,8 +18,8 @@ struct YamlEntry {
 /// Reads YAML strictly: every complaint names file, line and key; keys that nobody asked for are errors.
 class YamlReader {
  public:
-  /// Throws InputError when the file cannot be read, is not YAML, has anchors or aliases or a key twice, or
-  /// is not a map.
+  /// Throws InputError when the file cannot be read, is not YAML, has anchors or aliases, a key twice or a
+  /// second document, or is not a map.
   explicit YamlReader(const std::filesystem::path& file);
 
   const YAML::Node& root() const { return root_; }

@@ -145,6 +145,14 @@ TEST_F(YamlReaderTest, ABombOfAliasesIsRefusedAtOnce) {
   EXPECT_THAT(complaint_about(bomb), StartsWith(at(1)));
 }
 
+TEST_F(YamlReaderTest, ASecondDocumentIsRefused) {
+  for (const char* text : {"a: 1\n---\nb: 2\n", "a: 1\n---\n", "a: 1\n--- &x\n", "a: 1\n--- {b: [\n"})
+    EXPECT_THAT(complaint_about(text), AllOf(StartsWith(at(2)), HasSubstr("second document"))) << text;
+  EXPECT_THAT(complaint_about("a: 1\n...\nb: 2\n"), AllOf(StartsWith(at(3)), HasSubstr("second document")));
+  for (const char* text : {"---\na: 1\n", "a: 1\n...\n", "%YAML 1.2\n---\na: 1\n", "a: 1\n# ---\n"})
+    EXPECT_EQ(complaint_about(text), "no error") << text;
+}
+
 TEST_F(YamlReaderTest, RefusesAFileThatIsTooLongOrNotUtf8) {
   EXPECT_THAT(complaint_about("a: " + std::string(1 << 20, 'x') + "\n"), HasSubstr("longer than 1 MiB"));
   EXPECT_THAT(complaint_about("a: \"\xff\"\n"), HasSubstr("not UTF-8"));
