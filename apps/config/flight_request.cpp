@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "apps/config/data_folder.h"
@@ -14,9 +16,18 @@
 namespace lineservo::apps {
 namespace {
 
+constexpr std::array kMissionKeys = {"version",    "instruction", "controller", "layout",
+                                     "conditions", "seed",        "land"};
+
+void check_version(const std::string& version, const std::string& where) {
+  if (version == kVersion) return;
+  throw InputError(fmt::format("{}: is of version {}, which need not fly as this one does; allowed: {}",
+                               where, version, kVersion));
+}
+
 /// Takes the keys of the mission itself; false when the key is a setting.
 bool take_mission_key(FlightRequest& request, const YamlEntry& entry, const std::string& where) {
-  if (entry.key == "version") return true;
+  if (entry.key == "version") return check_version(entry.text, where), true;
   if (entry.key == "instruction") return request.instruction = entry.text, true;
   if (entry.key == "controller") return request.controller = entry.text, true;
   if (entry.key == "layout") return request.layout = entry.text, true;
@@ -28,6 +39,18 @@ bool take_mission_key(FlightRequest& request, const YamlEntry& entry, const std:
   }
   if (entry.key == "seed") return request.seed = read_seed(entry.text, where), true;
   return false;
+}
+
+/// A default in the place of a key that is missing would be another flight than the config's.
+void check_whole(const YamlReader& yaml, const std::vector<YamlEntry>& entries, const SettingsTable& table) {
+  std::vector<std::string> keys(kMissionKeys.begin(), kMissionKeys.end());
+  for (const Setting& setting : table.all()) keys.push_back(setting.key);
+  for (const std::string& key : keys) {
+    const auto has_key = [&key](const YamlEntry& entry) { return entry.key == key; };
+    if (std::none_of(entries.begin(), entries.end(), has_key))
+      throw InputError(fmt::format("{}: key '{}' is missing; a config.yaml holds every setting of its flight",
+                                   yaml.file().string(), key));
+  }
 }
 
 std::string where_is(const YamlReader& yaml, const YamlEntry& entry) {
@@ -120,10 +143,12 @@ FlightRequest read_config(const std::filesystem::path& file) {
   const YamlReader yaml(file);
   FlightRequest request;
   SettingsTable table(request.settings);
-  for (const YamlEntry& entry : yaml.scalars()) {
+  const std::vector<YamlEntry> entries = yaml.scalars();
+  for (const YamlEntry& entry : entries) {
     const std::string where = where_is(yaml, entry);
     if (!take_mission_key(request, entry, where)) table.set(entry.key, entry.text, where);
   }
+  check_whole(yaml, entries, table);
   request.layout = beside(file, DataKind::layout, request.layout);
   request.conditions = beside(file, DataKind::conditions, request.conditions);
   return request;

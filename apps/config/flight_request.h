@@ -29,7 +29,8 @@ void apply_conditions(FlightRequest& request, const std::string& name_or_path);
 void apply_override(FlightRequest& request, const std::string& assignment);
 
 /// Reads a config.yaml: the request of an earlier flight. Paths of a layout and of conditions are taken from
-/// the folder of the config. Throws InputError naming file, line and key.
+/// the folder of the config. Throws InputError naming file, line and key; also for a key that is missing and
+/// for a config of another version.
 FlightRequest read_config(const std::filesystem::path& file);
 
 /// The request as config.yaml, with the program's version; reads back to the last bit.

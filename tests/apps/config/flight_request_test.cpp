@@ -51,6 +51,15 @@ FlightRequest altered() {
 class FlightRequestTest : public ::testing::Test {
  protected:
   FlightRequest reread(const FlightRequest& request) { return read(config_text(request)); }
+  /// The default config with these lines of its first level in the place of its own.
+  static std::string with(const std::vector<std::string>& lines) {
+    std::string text = config_text(FlightRequest{});
+    for (const std::string& line : lines) {
+      const std::size_t at = ("\n" + text).find("\n" + line.substr(0, line.find(':') + 1));
+      text.replace(at, text.find('\n', at) - at, line);
+    }
+    return text;
+  }
   FlightRequest read(const std::string& text) { return read_config(folder_.write("config.yaml", text)); }
   std::string refusal(const std::string& text) {
     return complaint([&] { read(text); });
@@ -105,18 +114,33 @@ TEST_F(FlightRequestTest, PathsWithSignsOfYamlReadBack) {
 }
 
 TEST_F(FlightRequestTest, PathsOfAConfigAreThoseFromItsFolder) {
-  EXPECT_EQ(read("layout: layout.yaml\n").layout, folder_.path() / "layout.yaml");
-  EXPECT_EQ(read("layout: /floors/hall.yaml\n").layout, "/floors/hall.yaml");
-  EXPECT_EQ(read("layout: warehouse\nconditions: ideal\n").layout, "warehouse");
-  EXPECT_EQ(read("layout: warehouse\nconditions: ideal\n").conditions, "ideal");
+  EXPECT_EQ(read(with({"layout: layout.yaml"})).layout, folder_.path() / "layout.yaml");
+  EXPECT_EQ(read(with({"layout: /floors/hall.yaml"})).layout, "/floors/hall.yaml");
+  const FlightRequest shipped = read(with({"layout: bend", "conditions: ideal"}));
+  EXPECT_EQ(shipped.layout, "bend");
+  EXPECT_EQ(shipped.conditions, "ideal");
 }
 
-TEST_F(FlightRequestTest, WhatAConfigDoesNotNameKeepsItsDefault) {
-  const FlightRequest request = read("instruction: a13\ncamera: {latency_s: 0.125}\n");
-  EXPECT_EQ(request.instruction, "a13");
-  EXPECT_EQ(request.controller, "ibvs");
-  EXPECT_EQ(request.settings.camera.latency_s, 0.125);
-  EXPECT_EQ(request.settings.camera.frame_rate_hz, 30.0);
+// A default in the place of a missing key would fly another flight than the one that the config is of.
+TEST_F(FlightRequestTest, AConfigHoldsEveryKey) {
+  EXPECT_EQ(refusal("instruction: a13\n"),
+            (folder_.path() / "config.yaml").string() +
+                ": key 'version' is missing; a config.yaml holds every setting of its flight");
+  const std::string whole = config_text(FlightRequest{});
+  for (const std::string line : {"seed: 1", "land: false", "layout: \"warehouse\"", "speed_m_s: 0.3"}) {
+    std::string text = whole;
+    text.erase(text.find(line), line.size());
+    EXPECT_THAT(refusal(text), HasSubstr("key '" + line.substr(0, line.find(':')) + "' is missing"));
+  }
+  std::string text = whole;
+  text.erase(text.find("  latency_s: 0"), 14);
+  EXPECT_THAT(refusal(text), HasSubstr("key 'camera.latency_s' is missing"));
+}
+
+TEST_F(FlightRequestTest, AConfigIsOfThisVersion) {
+  EXPECT_EQ(
+      refusal(with({"version: 0.0.9"})),
+      at(1) + "is of version 0.0.9, which need not fly as this one does; allowed: " + std::string(kVersion));
 }
 
 TEST_F(FlightRequestTest, BadSeedsAreRefused) {
@@ -125,12 +149,12 @@ TEST_F(FlightRequestTest, BadSeedsAreRefused) {
               at(2) + "'seed' must be a whole number from 0 to 18446744073709551615")
         << seed;
   }
-  EXPECT_EQ(read("seed: 0\n").seed, 0u);
+  EXPECT_EQ(read(with({"seed: 0"})).seed, 0u);
 }
 
 TEST_F(FlightRequestTest, LandIsTrueOrFalse) {
   EXPECT_EQ(refusal("land: yes\n"), at(1) + "'land' must be true or false");
-  EXPECT_TRUE(read("land: true\n").land);
+  EXPECT_TRUE(read(with({"land: true"})).land);
 }
 
 TEST_F(FlightRequestTest, AnUnknownKeyOrBadValueNamesFileLineAndKey) {
