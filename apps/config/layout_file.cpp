@@ -55,7 +55,7 @@ class LayoutBuilder {
   void each(const YAML::Node& root, const std::string& key, Read read) const {
     const YAML::Node list = root[key];
     if (!list || !list.IsSequence() || list.size() == 0)
-      yaml_.fail(list ? list : root, "'" + key + "' must be a list");
+      yaml_.fail(list ? list : root, "'" + key + "' must be a list with at least one item");
     for (const auto& item : list) read(item);
   }
 
@@ -119,7 +119,8 @@ class LayoutBuilder {
     try {
       edge.centreline = centreline(map, layout_.nodes[edge.from].p_W, layout_.nodes[edge.to].p_W);
     } catch (const std::invalid_argument& error) {
-      yaml_.fail(map, error.what());
+      yaml_.fail(map, "edge from '" + layout_.nodes[edge.from].name + "' to '" + layout_.nodes[edge.to].name +
+                          "': " + error.what());
     }
     layout_.edges.push_back(std::move(edge));
   }

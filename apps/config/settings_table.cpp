@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "apps/config/input_error.h"
 #include "apps/config/numbers.h"
@@ -14,18 +16,29 @@
 namespace lineservo::apps {
 namespace {
 
-std::size_t common_prefix(const std::string& a, const std::string& b) {
-  return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+constexpr std::size_t kNearest = 4;
+
+/// Levenshtein's distance: letters to put in, take out or exchange.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);  // from the first i letters of a to the first j of b
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({exchanged, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
 }
 
-/// The keys that share the longest beginning with an unknown one.
+/// The keys that an unknown one may be meant to be, the likeliest first.
 std::string nearest_keys(const std::vector<Setting>& table, const std::string& unknown) {
-  std::size_t best = 0;
-  for (const Setting& s : table) best = std::max(best, common_prefix(s.key, unknown));
   std::vector<std::string> keys;
-  for (const Setting& s : table) {
-    if (common_prefix(s.key, unknown) == best && keys.size() < 8) keys.push_back(s.key);
-  }
+  for (const Setting& s : table) keys.push_back(s.key);
+  std::ranges::stable_sort(keys, {}, [&](const std::string& key) { return edit_distance(key, unknown); });
+  keys.resize(std::min(keys.size(), kNearest));
   return fmt::format("{}", fmt::join(keys, ", "));
 }
 

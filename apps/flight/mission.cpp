@@ -1,6 +1,7 @@
 #include "apps/flight/mission.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
@@ -20,6 +21,15 @@ void check_text(const FlightRequest& request) {
   }
 }
 
+std::size_t target_of(const servo::Topology& topology, const std::string& target) try {
+  return servo::find_target(topology, target);
+} catch (const std::invalid_argument& fault) {
+  if (!target.starts_with("node:")) throw;  // names the instructions that there are
+  std::vector<std::string> nodes;
+  for (const servo::TopologyNode& node : topology.nodes) nodes.push_back(node.name);
+  throw InputError(fmt::format("{}; it has: {}", fault.what(), fmt::join(nodes, ", ")));
+}
+
 }  // namespace
 
 Mission prepare(const FlightRequest& request) {
@@ -27,8 +37,7 @@ Mission prepare(const FlightRequest& request) {
   servo::find_controller(request.controller);
   vehicle::Layout floor = read_layout(find_data(DataKind::layout, request.layout));
   const servo::Topology topology = topology_of(floor);
-  servo::Plan plan =
-      servo::compile(topology, servo::find_target(topology, request.instruction), request.instruction);
+  servo::Plan plan = servo::compile(topology, target_of(topology, request.instruction), request.instruction);
   return {request, std::move(floor), std::move(plan)};
 }
 

@@ -86,7 +86,7 @@ TEST(Comparison, BrokenOffHasNoResult) {
 TEST(Comparison, RefusesATargetBeforeTheFirstFlight) {
   ShortStudy study;
   study.block().instructions = {"node:q", "node:x"};
-  EXPECT_THROW(Comparison(study.options), std::invalid_argument);
+  EXPECT_THROW(Comparison(study.options), InputError);
 }
 
 TEST(Comparison, RefusesASpeedThatIsNotAllowed) {

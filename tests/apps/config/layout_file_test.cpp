@@ -149,7 +149,7 @@ std::vector<Fault> all_faults() {
   return {
       {"no name", {.name = "description: x"}, 1, "'name' is missing"},
       {"unknown key", rest("colours: red"), 5, "unknown key 'colours' of a layout; allowed: name"},
-      {"no nodes", nodes("nodes: []"), 2, "'nodes' must be a list"},
+      {"no nodes", nodes("nodes: []"), 2, "'nodes' must be a list with at least one item"},
       {"a node without y", nodes("nodes: [{name: p, x_m: 0}]"), 2, "'y_m' is missing"},
       {"a node at infinity", nodes("nodes: [{name: p, x_m: .inf, y_m: 0}]"), 2,
        "'x_m' must be a finite number"},
@@ -165,10 +165,11 @@ std::vector<Fault> all_faults() {
        nodes("nodes:\n  - {name: p, x_m: 0, y_m: 0}\n  - {name: q, x_m: 1, y_m: 0}\n"
              "  - {name: p, x_m: 2, y_m: 0}"),
        5, "'p'"},
-      {"no edges", edges("edges: []"), 3, "'edges' must be a list"},
+      {"no edges", edges("edges: []"), 3, "'edges' must be a list with at least one item"},
       {"an unknown node", edges("edges: [{from: p, to: z}]"), 3, "'to' names no node: 'z'"},
-      {"an edge of no length", edges("edges: [{from: p, to: p}]"), 3, ""},
-      {"an edge through its own end", edges("edges: [{from: p, to: q, through: [[3, 4]]}]"), 3, ""},
+      {"an edge of no length", edges("edges: [{from: p, to: p}]"), 3, "edge from 'p' to 'p': "},
+      {"an edge through its own end", edges("edges: [{from: p, to: q, through: [[3, 4]]}]"), 3,
+       "edge from 'p' to 'q': "},
       {"radii that differ", edges("edges: [{from: p, to: q, arc: {centre: [0, 4], direction: left}}]"), 3,
        "same, positive distance"},
       {"an arc without direction", edges("edges: [{from: p, to: q, arc: {centre: [0, 4]}}]"), 3,

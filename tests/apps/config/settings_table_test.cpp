@@ -157,7 +157,10 @@ TEST(SettingsTable, AnUnknownKeyNamesThoseNearIt) {
               AllOf(StartsWith("--set: unknown key 'camera.frame_rate'"), HasSubstr("camera.frame_rate_hz"),
                     Not(HasSubstr("wind"))));
   EXPECT_THAT(set_complaint("servo.pid.kq", "1"), HasSubstr("servo.pid.kp, servo.pid.ki, servo.pid.kd"));
-  EXPECT_THAT(set_complaint("Camera.latency_s", "1"), HasSubstr("unknown key"));
+  EXPECT_THAT(set_complaint("Camera.latency_s", "1"),
+              HasSubstr("unknown key 'Camera.latency_s'; near it: camera.latency_s"));
+  EXPECT_THAT(set_complaint("frame_rate_hz", "30"), HasSubstr("near it: camera.frame_rate_hz"));
+  EXPECT_THAT(set_complaint("wind.mean_ms", "1"), HasSubstr("near it: wind.mean_m_s"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 namespace lineservo::apps {
 namespace {
 
+using ::testing::AllOf;
 using testing::complaint;
 using ::testing::HasSubstr;
 
@@ -31,6 +32,10 @@ TEST(Prepare, RefusesWhatCannotBeFlown) {
   request = request_for_a13();
   request.instruction = "a99";
   EXPECT_THROW(prepare(request), std::invalid_argument);
+  request = request_for_a13();
+  request.instruction = "node:nope";
+  EXPECT_THAT(complaint([&] { prepare(request); }),
+              AllOf(HasSubstr("no node 'nope'"), HasSubstr("n00, "), HasSubstr("n13")));
   request = request_for_a13();
   request.layout = "hall";
   EXPECT_THAT(complaint([&] { prepare(request); }), HasSubstr("hall"));
