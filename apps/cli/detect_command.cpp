@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 
+#include "apps/cli/interrupt.h"
 #include "apps/cli/program.h"
 #include "apps/config/camera_file.h"
 #include "apps/config/input_error.h"
@@ -57,11 +58,19 @@ DetectionReport look_at(const std::string& file, const DetectArguments& argument
   return report;
 }
 
+int broken_off(std::size_t done, std::size_t images) {
+  fmt::print(stderr, "lineservo: detect: interrupted; after {} of {} images\n", done, images);
+  return kFailed;
+}
+
 /// An image that cannot be read does not stop the others.
 int detect(const DetectArguments& arguments) {
   const features::ImageDetector detector(options_of(arguments));
+  watch_for_interrupt();
   int exit_code = kDone;
-  for (const std::string& file : arguments.images) {
+  for (std::size_t done = 0; done < arguments.images.size(); ++done) {
+    if (interrupted()) return broken_off(done, arguments.images.size());
+    const std::string& file = arguments.images[done];
     const DetectionReport report = look_at(file, arguments, detector);
     if (report.error) exit_code = kFailed;
     fmt::print("{}", arguments.json ? json_text(to_json(report)) : to_text(report));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/cli/interrupt.h"
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
 #include "apps/evaluate/junction_report.h"
@@ -27,12 +28,14 @@ void show_progress(std::size_t done, std::size_t all) {
 }
 
 int evaluate(const Arguments& arguments) {
+  end_on_interrupt("evaluate junctions");
   std::optional<ResultFolder> folder;
   if (arguments.out)
     folder.emplace(*arguments.out, std::vector<std::string>{"evaluation.csv", "evaluation.json"});
   std::vector<JunctionCase> cases = junction_cases(arguments.seed);
   run(cases, show_progress);
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+  watch_for_interrupt();  // the results, once begun, are written whole
   const std::string json = json_text(junction_json(cases), 2);
   if (folder) {
     folder->write("evaluation.csv", junction_csv(cases));

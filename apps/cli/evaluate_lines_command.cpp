@@ -32,13 +32,16 @@ bool show_progress(double share) {
 }
 
 int evaluate(const Arguments& arguments) {
+  watch_for_interrupt();
   std::optional<ResultFolder> folder;
   if (arguments.out)
     folder.emplace(*arguments.out, std::vector<std::string>{"evaluation.csv", "evaluation.json"});
-  watch_for_interrupt();
   const std::vector<LineEvaluationRow> rows = evaluate_lines(arguments.options, show_progress);
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
-  if (interrupted()) return kFailed;
+  if (interrupted()) {
+    say_nothing_is_written("evaluate lines");
+    return kFailed;
+  }
   const std::string json = json_text(lines_json(arguments.options, rows), 2);
   if (folder) {
     folder->write("evaluation.csv", lines_csv(rows));

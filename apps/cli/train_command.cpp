@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "apps/cli/interrupt.h"
 #include "apps/cli/number_option.h"
 #include "apps/config/input_error.h"
 #include "apps/output/result_folder.h"
@@ -24,9 +25,11 @@ void train(const TrainArguments& arguments) {
   const auto color = features::line_color(arguments.color);
   if (!color) throw InputError("train-colour: --color must be yellow, red, white or black");
   const std::filesystem::path out = arguments.out;
+  end_on_interrupt("train-colour");
   ResultFolder folder(out.has_parent_path() ? out.parent_path() : ".", {out.filename().string()});
   const auto samples = color_samples(*color, arguments.samples, arguments.seed);
   const auto svm = features::ColorSvm::trained(samples);
+  watch_for_interrupt();  // the file, once begun, is written whole
   folder.write(out.filename().string(), svm.to_text());
   folder.publish();
   const auto right =

@@ -30,5 +30,17 @@ TEST_F(EvaluateCommandTest, ListsHaveEachItemOnceAndNoneThatIsEmpty) {
   }
 }
 
+TEST_F(EvaluateCommandTest, InterruptedItSaysSoAndWritesNothing) {
+  for (const std::string what : {"lines", "junctions"}) {
+    std::vector<std::string> arguments = {"evaluate", what, "--out", path(what)};
+    if (what == "lines") arguments.insert(arguments.end(), {"--frames", "100000"});
+    const Ran ran = run_and_interrupt(arguments, [&] { return fs::exists(path(what)); });
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_EQ(ran.err, "lineservo: evaluate " + what + ": interrupted; nothing is written\n");
+    EXPECT_TRUE(fs::is_empty(path(what)));
+  }
+}
+
 }  // namespace
 }  // namespace lineservo::apps

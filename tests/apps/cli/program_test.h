@@ -8,7 +8,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <functional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/apps/test_files.h"
@@ -32,17 +36,16 @@ class ProgramTest : public ::testing::Test {
   }
   Ran run_to(const std::filesystem::path& out, const std::filesystem::path& folder,
              const std::vector<std::string>& arguments, rlim_t largest_file) const {
-    const std::filesystem::path err = temp_.path() / "stderr";
-    const pid_t child = ::fork();
-    if (child == 0) {
-      if (::chdir(folder.c_str()) != 0) ::_exit(126);
-      become_program(arguments, out, err, largest_file);
-    }
-    int status = 0;
-    EXPECT_EQ(::waitpid(child, &status, 0), child);
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return {code, std::filesystem::is_regular_file(out) ? testing::read_text(out) : "",
-            testing::read_text(err)};
+    return ended(start(out, folder, arguments, largest_file), out);
+  }
+  /// Ctrl-C once `begun` says so, within 20 s.
+  Ran run_and_interrupt(const std::vector<std::string>& arguments, const std::function<bool()>& begun) const {
+    const std::filesystem::path out = temp_.path() / "stdout";
+    const pid_t child = start(out, std::filesystem::current_path(), arguments, 0);
+    for (int k = 0; k < 4000 && !begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(begun());
+    ::kill(child, SIGINT);
+    return ended(child, out);
   }
   /// Bad input: exit code 2, one line on stderr, nothing on stdout. Returns the line.
   std::string refusal(const std::vector<std::string>& arguments) const {
@@ -72,6 +75,20 @@ class ProgramTest : public ::testing::Test {
   const testing::TempFolder temp_;
 
  private:
+  pid_t start(const std::filesystem::path& out, const std::filesystem::path& folder,
+              const std::vector<std::string>& arguments, rlim_t largest_file) const {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    if (::chdir(folder.c_str()) != 0) ::_exit(126);
+    become_program(arguments, out, temp_.path() / "stderr", largest_file);
+  }
+  Ran ended(pid_t child, const std::filesystem::path& out) const {
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return {code, std::filesystem::is_regular_file(out) ? testing::read_text(out) : "",
+            testing::read_text(temp_.path() / "stderr")};
+  }
   [[noreturn]] static void become_program(const std::vector<std::string>& arguments,
                                           const std::filesystem::path& out, const std::filesystem::path& err,
                                           rlim_t largest_file) {

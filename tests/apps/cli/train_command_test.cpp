@@ -25,5 +25,14 @@ TEST_F(TrainCommandTest, DoesNotReplaceWhatIsNoFile) {
   EXPECT_GT(fs::file_size(path("new.yaml")), 100u);
 }
 
+TEST_F(TrainCommandTest, InterruptedItSaysSoAndWritesNothing) {
+  const Ran ran = run_and_interrupt({"train-colour", "--samples", "100000", "--out", path("new/m.yaml")},
+                                    [this] { return fs::exists(path("new")); });
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(ran.err, "lineservo: train-colour: interrupted; nothing is written\n");
+  EXPECT_TRUE(fs::is_empty(path("new")));
+}
+
 }  // namespace
 }  // namespace lineservo::apps
