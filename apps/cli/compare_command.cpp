@@ -140,7 +140,8 @@ void add_run_options(CLI::App& command, Arguments& a) {
                      "the controller that the others are held against, pair by pair (default ibvs)");
   add_whole_option(command, "--runs", a.options.runs, 1, 1000000, "flights of each instruction");
   add_seed_option(command, a.options.seed, "seed of the first run; the next has the next");
-  add_whole_option(command, "--jobs", a.jobs, 1, 1024, "flights at a time, as many as cores if not given");
+  add_whole_option(command, "--jobs", a.jobs, 1, kMostJobs,
+                   "flights at a time, as many as cores if not given");
   command
       .add_option_function<std::string>(
           "--set", [&a](const std::string& s) { a.options.overrides.push_back(s); },

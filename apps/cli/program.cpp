@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include "apps/cli/compare_command.h"
 #include "apps/cli/detect_command.h"
@@ -77,6 +78,9 @@ int run(int argc, char** argv) try {
 } catch (const std::invalid_argument& error) {
   complain(error.what());
   return kBadInput;
+} catch (const std::bad_alloc&) {
+  complain("out of memory");
+  return kFailed;
 } catch (const std::exception& error) {
   if (std::ferror(stdout) != 0) return kDone;  // told by the caller
   complain(std::string("internal fault: ") + error.what());

@@ -104,7 +104,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("CONTROLLER", a.controllers, "the laws to tune")->required();
   add_whole_option(*command, "--budget", a.options.budget, 1, 100000,
                    "points, each flown by all training flights");
-  add_whole_option(*command, "--jobs", a.options.jobs, 1, 1024,
+  add_whole_option(*command, "--jobs", a.options.jobs, 1, kMostJobs,
                    "flights at a time, as many as cores if not given");
   command->add_option("--out", a.out, "folder for CONTROLLER.yaml of each, and tuning.json");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

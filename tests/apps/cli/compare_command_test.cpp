@@ -25,7 +25,10 @@ TEST_F(CompareCommandTest, RefusesComparisonsThatAreNone) {
   EXPECT_THAT(refusal({"compare", "--reference", "pid", "--controllers", "ibvs"}), HasSubstr("--reference"));
   for (const char* bad : {"0", "-1", "x"}) {
     EXPECT_THAT(refusal({"compare", std::string("--runs=") + bad}), HasSubstr("--runs"));
-    EXPECT_THAT(refusal({"compare", std::string("--jobs=") + bad}), HasSubstr("--jobs"));
+  }
+  for (const char* bad : {"0", "-1", "x", "257"}) {
+    EXPECT_THAT(refusal({"compare", std::string("--jobs=") + bad}), HasSubstr("from 1 to 256"));
+    EXPECT_THAT(refusal({"tune", "pid", std::string("--jobs=") + bad}), HasSubstr("from 1 to 256"));
   }
 }
 
