@@ -110,12 +110,14 @@ void add_fly_command(CLI::App& app, int& exit_code) {
       "the config.yaml of an earlier flight, to repeat it; what else is typed goes before it. It holds "
       "every setting: not together with --conditions");
   command->add_flag("--land", a.land, "land on the target instead of hovering");
-  command->add_flag("--explain", a.explain, "print the plan and do not fly");
-  command->add_option(
+  CLI::Option* explain = command->add_flag("--explain", a.explain, "print the plan and do not fly");
+  CLI::Option* out = command->add_option(
       "--out", a.out,
       "folder for summary.json, flight.csv, events.csv, config.yaml, and layout.yaml and conditions.yaml "
       "when they are your own");
-  command->add_flag("--json", a.json, "print summary.json instead of the short report");
+  CLI::Option* json =
+      command->add_flag("--json", a.json, "print summary.json instead of the short report");
+  for (CLI::Option* other : {out, json}) explain->excludes(other);
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });
 }
 

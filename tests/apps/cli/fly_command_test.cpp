@@ -101,6 +101,15 @@ TEST_F(FlyCommandTest, ExplainsAPlanWithoutFlying) {
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 5);
 }
 
+TEST_F(FlyCommandTest, AnExplanationHasNoResults) {
+  for (const std::string option : {"--json", "--out"}) {
+    std::vector<std::string> arguments = {"fly", "a13", "--explain", option};
+    if (option == "--out") arguments.push_back(path("out"));
+    EXPECT_THAT(refusal(arguments), AllOf(HasSubstr("--explain"), HasSubstr(option), HasSubstr("excludes")));
+  }
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
 TEST_F(FlyCommandTest, PrintsTheSummaryAsJson) {
   const Ran ran = run(short_flight({"--json"}));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
