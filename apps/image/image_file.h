@@ -6,7 +6,8 @@
 namespace lineservo::apps {
 
 /// Reads an image file: CV_8UC1 or CV_8UC3 (BGR). Throws InputError when the file cannot be read, is empty,
-/// or is not an image. The codecs are loaded by the first call, not at start.
+/// or is not an image. The codecs are loaded by the first call, not at start. They write to stderr of
+/// themselves: it is shut meanwhile, so one thread at a time, and no other that writes there.
 cv::Mat read_image(const std::filesystem::path& file);
 
 }  // namespace lineservo::apps

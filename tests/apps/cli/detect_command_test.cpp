@@ -9,9 +9,11 @@ namespace lineservo::apps {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
+using testing::read_text;
 using DetectCommandTest = ProgramTest;
 
 TEST_F(DetectCommandTest, AFilesNameNeedNotBeUtf8) {
@@ -24,6 +26,20 @@ TEST_F(DetectCommandTest, TellsOfAFileWhoseNameIsNotUtf8) {
   const Ran ran = run({"detect", path("p\xff.jpg"), "--json"});
   EXPECT_EQ(ran.exit_code, 1) << ran.err;
   EXPECT_THAT(nlohmann::json::parse(ran.out)["image"].get<std::string>(), HasSubstr("p\xef\xbf\xbd.jpg"));
+}
+
+TEST_F(DetectCommandTest, ABadImageIsOneLineOnItsOutputAlone) {
+  const std::string whole = read_text(LINESERVO_TEST_DATA "/pictures/flight.png");
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{20}, whole.size() / 2}) {
+    const std::string bad = temp_.write("bad.png", whole.substr(0, bytes));
+    const Ran json = run({"detect", "--json", bad}), text = run({"detect", bad});
+    EXPECT_EQ(json.exit_code, 1);
+    EXPECT_EQ(json.err, "") << bytes;
+    EXPECT_THAT(nlohmann::json::parse(json.out).at("error"), HasSubstr("bad.png: "));
+    EXPECT_EQ(text.exit_code, 1);
+    EXPECT_EQ(text.err, "") << bytes;
+    EXPECT_THAT(text.out, AllOf(HasSubstr("error"), HasSubstr("bad.png")));
+  }
 }
 
 TEST_F(DetectCommandTest, InterruptedItSaysAfterHowManyImages) {
