@@ -19,10 +19,11 @@ double coarse_atan(double z) {
   return z * (kPi / 4.0 + 0.273 * (1.0 - std::abs(z)));
 }
 
+// atan(y/x), or ±π/2 − atan(x/y) where that is the smaller. Without branches: worn paint looks every way.
 double coarse_axis_angle(const Eigen::Vector2d& n) {
-  if (std::abs(n.x()) >= std::abs(n.y())) return coarse_atan(n.y() / n.x());
-  const double from_y = coarse_atan(n.x() / n.y());
-  return (from_y >= 0.0 ? kPi / 2.0 : -kPi / 2.0) - from_y;
+  const int steep = int{std::abs(n.y()) > std::abs(n.x())};
+  const double from_axis = coarse_atan(n[1 - steep] / n[steep]);
+  return steep * std::copysign(kPi / 2.0, from_axis) + (1 - 2 * steep) * from_axis;
 }
 
 }  // namespace
@@ -171,7 +172,7 @@ void BorderExtractor::emit(const Family& family, int axis, double spacing,
     if (links < options_.min_links) continue;
     const Eigen::Vector2d along = (to->p_L - from->p_L).normalized();
     // Scanning a row (axis 1) the tangent points down and paint on the right means a normal towards +x.
-    const double turn = (crossing.into_paint == (axis == 1)) ? 1.0 : -1.0;
+    const double turn = 2 * int{crossing.into_paint == (axis == 1)} - 1;
     const Eigen::Vector2d normal = turn * Eigen::Vector2d(along.y(), -along.x());
     points.push_back({crossing.p_L, normal, coarse_axis_angle(normal), spacing * std::abs(along[axis])});
   }

@@ -19,22 +19,39 @@ constexpr double kLeastReach = 0.004;  // Tukey's cut-off never falls below abou
 struct Borders {
   std::vector<EdgePoint> points;
   std::vector<double> along, residual;
+
+  void reserve(std::size_t count) {
+    points.reserve(count);
+    along.reserve(count);
+    residual.reserve(count);
+  }
 };
 
 Borders borders_near(const std::vector<BorderPoint>& points, const Stripe& stripe, double reach) {
   const StripeAxes axes(stripe.course);
   const double from = stripe.begin.along - reach, to = stripe.end.along + reach;
-  Borders borders;
-  for (const BorderPoint& point : points) {
-    const double cosine = point.normal.dot(axes.normal());
-    if (std::abs(cosine) < std::cos(kAlongTheStripe_rad)) continue;
-    const double side = cosine > 0.0 ? -1.0 : 1.0;  // the paint begins on the side away from the normal
-    const double residual = axes.across(point.p_L) - 0.5 * side * axes.width();
+  const double least_cosine = std::cos(kAlongTheStripe_rad);
+  // The paint begins on the side away from the normal.
+  const auto side = [&axes](const BorderPoint& p) { return 1 - 2 * int{p.normal.dot(axes.normal()) > 0.0}; };
+  const auto residual = [&](const BorderPoint& p) {
+    return axes.across(p.p_L) - 0.5 * side(p) * axes.width();
+  };
+  std::vector<const BorderPoint*> near(points.size());
+  std::size_t kept = 0;
+  for (const BorderPoint& point : points) {  // without branches, as worn paint cannot be predicted
     const double along = axes.along(point.p_L);
-    if (std::abs(residual) > reach || along < from || along > to) continue;
-    borders.points.push_back({point.p_L, side});
-    borders.along.push_back(along);
-    borders.residual.push_back(residual);
+    const bool aligned = std::abs(point.normal.dot(axes.normal())) >= least_cosine;
+    const bool beside = (std::abs(residual(point)) <= reach) & (along >= from) & (along <= to);
+    near[kept] = &point;
+    kept += static_cast<std::size_t>(aligned & beside);
+  }
+  near.resize(kept);
+  Borders borders;
+  borders.reserve(kept);
+  for (const BorderPoint* point : near) {
+    borders.points.push_back({point->p_L, static_cast<double>(side(*point))});
+    borders.along.push_back(axes.along(point->p_L));
+    borders.residual.push_back(residual(*point));
   }
   return borders;
 }

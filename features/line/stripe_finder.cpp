@@ -200,13 +200,14 @@ void StripeFinder::defer_direction(double theta_rad) {
 StripeFinder::Support StripeFinder::support(const StripeCourse& course) const {
   const StripeAxes axes(course);
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  constexpr double beyond[2] = {kNowhere, 0.0};  // puts what does not support the course out of the way
   Support range{.from = kNowhere, .to = -kNowhere};
   for (const BorderPoint& point : border_.near(course.theta_rad, kFacing_rad)) {
     const bool is_near = std::abs(border_residual(point, course, axes.normal())) <= kNear;
     const bool supports = is_near & (std::abs(point.normal.dot(axes.normal())) >= kFacing);
     const double along = axes.along(point.p_L);
-    range.from = std::min(range.from, supports ? along : kNowhere);
-    range.to = std::max(range.to, supports ? along : -kNowhere);
+    range.from = std::min(range.from, along + beyond[supports]);
+    range.to = std::max(range.to, along - beyond[supports]);
   }
   if (range.from > range.to) range = {};
   return range;

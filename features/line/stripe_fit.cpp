@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "features/geometry/angles.h"
 
@@ -60,6 +61,46 @@ NormalEquations accumulate(std::span<const BorderPoint> points, const StripeCour
   return sums;
 }
 
+// The points that a course may come to rest on: worn paint has many more that look its way. Later rounds look
+// at these alone, as long as the course stays within the slack.
+class Neighbours {
+ public:
+  explicit Neighbours(std::span<const BorderPoint> all) : all_(all) {}
+
+  std::span<const BorderPoint> of(const StripeCourse& course) {
+    if (near_.empty() || !holds(course)) collect(course);
+    return near_;
+  }
+
+ private:
+  static constexpr double kSlack_rad = radians(10.0), kSlack = 0.05, kFarthest = 2.5;
+
+  bool holds(const StripeCourse& course) const {
+    const double turn_rad = std::abs(course.theta_rad - centre_.theta_rad);
+    const double shift = std::abs(course.rho - centre_.rho) + 0.5 * std::abs(course.width - centre_.width);
+    return turn_rad < kSlack_rad && shift + kFarthest * turn_rad < kSlack;
+  }
+
+  void collect(const StripeCourse& course) {
+    static const double least_facing = std::cos(std::acos(kFacing) + kSlack_rad);
+    centre_ = course;
+    near_.resize(all_.size());
+    std::size_t kept = 0;
+    const Eigen::Vector2d n = course.normal();
+    for (const BorderPoint& point : all_) {
+      near_[kept] = point;
+      const bool faces = std::abs(point.normal.dot(n)) >= least_facing;
+      const bool is_near = std::abs(border_residual(point, course, n)) <= kFirstReach + kSlack;
+      kept += static_cast<std::size_t>(faces & is_near);
+    }
+    near_.resize(kept);
+  }
+
+  std::span<const BorderPoint> all_;
+  std::vector<BorderPoint> near_;
+  StripeCourse centre_;
+};
+
 void hold_width(NormalEquations& sums) {
   sums.A.row(2).setZero();
   sums.A.col(2).setZero();
@@ -86,9 +127,10 @@ StripeCourse canonical(StripeCourse course) {
 std::optional<StripeFit> fit_stripe(std::span<const BorderPoint> points, const StripeCourse& start,
                                     WidthIs width) {
   StripeFit fit{.course = start};
+  Neighbours neighbours(points);
   double reach = kFirstReach;
   for (int iteration = 0;; ++iteration) {
-    NormalEquations sums = accumulate(points, fit.course, reach);
+    NormalEquations sums = accumulate(neighbours.of(fit.course), fit.course, reach);
     if (!well_posed(sums, width)) return std::nullopt;
     if (width == WidthIs::known) hold_width(sums);
     const Eigen::LDLT<Eigen::Matrix3d> ldlt(sums.A);

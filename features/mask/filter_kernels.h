@@ -7,14 +7,6 @@
 
 namespace lineservo::features {
 
-/// Three binary digits of up to 7, for each pixel of a row: how many of five neighbours are set.
-struct CountRow {
-  std::uint64_t *ones = nullptr, *twos = nullptr, *fours = nullptr;
-};
-
-struct FiveCounts {
-  CountRow row[5];
-};
 struct FiveRows {
   const std::uint64_t* row[5];
 };
@@ -29,10 +21,11 @@ struct RowBits {
 struct FilterKernels {
   using Word = std::uint64_t;
 
-  /// Counts along a row over x − 2 … x + 2; what lies outside repeats the first and the last pixel.
-  void (*count)(const Word* row, bool first, bool last, RowBits bits, CountRow out, std::size_t words);
+  /// Counts along a row over x − 2 … x + 2; what lies outside repeats the first and the last pixel. Writes
+  /// the binary digits of each pixel's count as three rows, one after the other: ones, twos, fours.
+  void (*count)(const Word* row, bool first, bool last, RowBits bits, Word* out, std::size_t words);
   /// Where five counts add up to 13 or more.
-  void (*majority)(const FiveCounts& rows, RowBits bits, Word* out, std::size_t words);
+  void (*majority)(const FiveRows& counts, RowBits bits, Word* out, std::size_t words);
   /// Dilation along a row; outside is background.
   void (*any_along)(const Word* row, Word* out, std::size_t words);
   /// The background of a dilation across five rows.

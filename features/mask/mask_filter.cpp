@@ -27,9 +27,8 @@ MaskFilter::Word* MaskFilter::ring_row(int y) {
   return ring_.data() + repeated % kRing * 3 * stride_;
 }
 
-CountRow MaskFilter::count_row(int y) {
-  Word* ones = ring_row(y);
-  return {ones, ones + stride_, ones + 2 * stride_};
+FiveRows MaskFilter::rows_around(int y) {
+  return {{ring_row(y - 2), ring_row(y - 1), ring_row(y), ring_row(y + 1), ring_row(y + 2)}};
 }
 
 template <typename Along, typename Across>
@@ -43,21 +42,16 @@ void MaskFilter::sweep(Along along, Across across) {
 void MaskFilter::median_5x5(const PackedMask& in, PackedMask& out) {
   assert(fits(in) && fits(out));
   const auto along = [&](int y) {
-    kernels_->count(in.row(y).data(), in.at(0, y), in.at(width_ - 1, y), bits(), count_row(y), stride_);
+    kernels_->count(in.row(y).data(), in.at(0, y), in.at(width_ - 1, y), bits(), ring_row(y), stride_);
   };
-  const auto across = [&](int y) {
-    const FiveCounts rows = {
-        {count_row(y - 2), count_row(y - 1), count_row(y), count_row(y + 1), count_row(y + 2)}};
-    kernels_->majority(rows, bits(), out.row(y).data(), stride_);
-  };
+  const auto across = [&](int y) { kernels_->majority(rows_around(y), bits(), out.row(y).data(), stride_); };
   sweep(along, across);
 }
 
 void MaskFilter::dilate_and_invert(const PackedMask& in, PackedMask& out) {
   const auto along = [&](int y) { kernels_->any_along(in.row(y).data(), ring_row(y), stride_); };
   const auto across = [&](int y) {
-    const FiveRows rows = {{ring_row(y - 2), ring_row(y - 1), ring_row(y), ring_row(y + 1), ring_row(y + 2)}};
-    kernels_->none_across(rows, bits(), out.row(y).data(), stride_);
+    kernels_->none_across(rows_around(y), bits(), out.row(y).data(), stride_);
   };
   sweep(along, across);
 }

@@ -28,7 +28,7 @@ class MaskFilter {
   static constexpr unsigned kRing = 8;  // rows: the five in use, rounded up so that the index is a mask
 
   Word* ring_row(int y);
-  CountRow count_row(int y);
+  FiveRows rows_around(int y);
   RowBits bits() const { return {inside_.data(), left_.data(), right_.data()}; }
   bool fits(const PackedMask& mask) const { return mask.width() == width_ && mask.height() == height_; }
 
