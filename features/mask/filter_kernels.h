@@ -34,7 +34,8 @@ struct FilterKernels {
   int (*population)(const Word* row, std::size_t words);
 };
 
-/// Each of the same source, compiled for 128-bit registers (which every x86-64 has), for AVX2 and for AVX-512.
+/// Each of the same source, compiled for 128-bit registers (which every x86-64 has), for AVX2 and for
+/// AVX-512.
 extern const FilterKernels kPortableFilterKernels;
 #if defined(__x86_64__)
 extern const FilterKernels kAvx2FilterKernels, kAvx512FilterKernels;
