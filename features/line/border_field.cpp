@@ -47,12 +47,16 @@ void BorderField::assign(const std::vector<BorderPoint>& points) {
   const std::size_t repeated = first_[2 * kReach + 1];
   points_.resize(points.size() + repeated);
   std::array<std::uint32_t, kAll + 1> next = first_;
-  for (std::size_t i = 0; i < points.size(); ++i) points_[next[bins_[i]]++] = points[i];
+  free_length_.fill(0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points_[next[bins_[i]]++] = points[i];
+    free_length_[bins_[i]] += points[i].length;
+  }
   for (std::size_t i = 0; i < repeated; ++i) points_[points.size() + i] = points_[i];
   for (std::size_t bin = 0; bin < kAll; ++bin)
     for (std::size_t i = first_[bin]; i < first_[bin + 1]; ++i) bins_[i] = static_cast<std::uint8_t>(bin);
   use_.assign(points.size(), PointUse::free);
-  is_stale_.fill(true);
+  is_stale_.fill(false);
 }
 
 void BorderField::release_deferred() {

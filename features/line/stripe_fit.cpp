@@ -34,30 +34,33 @@ NormalEquations accumulate(std::span<const BorderPoint> points, const StripeCour
   const Eigen::Vector2d n = course.normal();
   const Eigen::Vector2d tangent = -course.forward();
   const double per_reach = 1.0 / (reach * reach);
+  double tt = 0.0, t1 = 0.0, ts = 0.0, ss = 0.0, s1 = 0.0, rt = 0.0, r1 = 0.0, rs = 0.0;
+  double weight = 0.0, squares = 0.0;  // all of them in registers
   for (const BorderPoint& point : points) {
     const double facing = point.normal.dot(n);
     if (std::abs(facing) < kFacing) continue;
-    const double side = facing > 0.0 ? 0.5 : -0.5;
+    const double side = static_cast<double>(facing > 0.0) - 0.5;
     const double r = point.p_L.dot(n) - course.rho + side * course.width;
     const double u = 1.0 - r * r * per_reach;
     if (u <= 0.0) continue;
-    const double w = u * u;
-    const double t = point.p_L.dot(tangent);
-    sums.A(0, 0) += w * t * t;
-    sums.A(0, 1) -= w * t;
-    sums.A(0, 2) += w * t * side;
-    sums.A(1, 1) += w;
-    sums.A(1, 2) -= w * side;
-    sums.A(2, 2) += w * side * side;
-    sums.b -= (w * r) * Eigen::Vector3d(t, -1.0, side);
-    sums.weight += w;
-    sums.squares += w * r * r;
+    const double w = u * u, t = point.p_L.dot(tangent), wt = w * t, wr = w * r;
+    tt += wt * t;
+    t1 += wt;
+    ts += wt * side;
+    s1 += w * side;
+    ss += w * side * side;
+    rt += wr * t;
+    r1 += wr;
+    rs += wr * side;
+    weight += w;
+    squares += wr * r;
     (facing > 0.0 ? sums.rising_length : sums.falling_length) += point.length;
     ++sums.points;
   }
-  sums.A(1, 0) = sums.A(0, 1);
-  sums.A(2, 0) = sums.A(0, 2);
-  sums.A(2, 1) = sums.A(1, 2);
+  sums.A << tt, -t1, ts, -t1, weight, -s1, ts, -s1, ss;
+  sums.b << -rt, r1, -rs;
+  sums.weight = weight;
+  sums.squares = squares;
   return sums;
 }
 
