@@ -60,8 +60,13 @@ TEST_F(CompareCommandTest, NamesTheOptionThatIsWrong) {
       refusal({"compare", "--speeds", "0.1,5"}),
       AllOf(HasSubstr("--speeds: "), HasSubstr("0.01 to 2"), HasSubstr("'5'"), Not(HasSubstr("--set"))));
   EXPECT_THAT(refusal({"compare", "--speeds", "fast"}), AllOf(HasSubstr("--speeds"), HasSubstr("'fast'")));
+  const testing::TempFolder bare;  // a data folder without tuned parameters
+  std::filesystem::copy(LINESERVO_TEST_DATA, bare.path(), std::filesystem::copy_options::recursive);
+  std::filesystem::remove_all(bare.path() / "tuned");
+  ::setenv("LINESERVO_DATA", bare.path().c_str(), 1);
   EXPECT_THAT(refusal({"compare", "--controllers", "pid", "--reference", "pid", "--tuning", "tuned"}),
               HasSubstr("--tuning tuned: no tuned parameters"));
+  ::setenv("LINESERVO_DATA", LINESERVO_TEST_DATA, 1);
 }
 
 TEST_F(CompareCommandTest, RefusesSeedsThatWouldBeginAgainAtNought) {
