@@ -22,6 +22,11 @@ bool tracks_node(Phase phase) {
          phase == Phase::hover;
 }
 
+std::string told(const NodeSighting& node) {
+  if (node.bend != Bend::none) return std::string(name(node.bend));
+  return std::string(features::name(node.code)) + (node.line_ends ? " (line ends)" : "");
+}
+
 bool turns(Phase phase) {
   return phase == Phase::turn || phase == Phase::corner;
 }
@@ -65,10 +70,7 @@ void Executive::observe(const Observation& observation) {
   if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.x();
   last_odometry_ = observation.odometry_now;
 
-  node_ = phase_ == Phase::follow
-              ? matcher_.update(near_reading(observation, current_step()),
-                                travelled_m_ > options_.leaving_heights * observation.height_m)
-              : std::nullopt;
+  node_ = phase_ == Phase::follow ? node_told(observation) : std::nullopt;
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
         phase_ == Phase::align ? disc_sighting(observation) : node_sighting(observation, current_step());
@@ -80,6 +82,14 @@ void Executive::observe(const Observation& observation) {
   if (phase_ == Phase::align && tracker_.node_now(observation)) line_seen_ = observation.now;
   if (turns(phase_)) line_angle_rad_ = turn_.correct(observation);
   smooth_velocity(observation);
+}
+
+std::optional<NodeSighting> Executive::node_told(const Observation& observation) {
+  const bool away = travelled_m_ > options_.leaving_heights * observation.height_m;
+  const Bend bend = traits_.servos_on_node
+                        ? bend_sighting(observation, current_step())
+                        : centroid_bend_.update(observation, current_step(), matcher_.leaving());
+  return matcher_.update(near_reading(observation, current_step()), away, bend);
 }
 
 // A first-order low pass, v ← p·v + (1 − p)·(v̂ + d̂) with p = exp(−dt/τ): the noise of the estimate is as
@@ -122,8 +132,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
 void Executive::pass_node(Time now) {
   const PlanStep& step = plan_.steps[step_];
   ++nodes_recognised_;
-  report("node", std::string(features::name(node_->code)) + (node_->line_ends ? " (line ends)" : "") + ": " +
-                     std::string(name(step.manoeuvre)) + " at " + step.node);
+  report("node", told(*node_) + ": " + std::string(name(step.manoeuvre)) + " at " + step.node);
   if (step.manoeuvre == Manoeuvre::go_straight) {
     ++step_;
     travelled_m_ = 0.0;

@@ -10,6 +10,7 @@
 #include "servo/executive/junction_matcher.h"
 #include "servo/executive/node_tracker.h"
 #include "servo/executive/phase.h"
+#include "servo/executive/sighting.h"
 #include "servo/executive/turn.h"
 #include "servo/executive/turn_profile.h"
 #include "servo/law/dock_law.h"
@@ -64,6 +65,7 @@ class Executive {
 
  private:
   void observe(const Observation& observation);
+  std::optional<NodeSighting> node_told(const Observation& observation);
   void smooth_velocity(const Observation& observation);
   Situation assess(const Observation& observation, bool on_ground);
   void enter(Phase phase, const Observation& observation);
@@ -100,6 +102,7 @@ class Executive {
   DockLaw dock_law_;
   JunctionMatcher matcher_;
   NodeTracker tracker_;
+  CentroidBend centroid_bend_;
 
   Phase phase_ = Phase::take_off;
   AbortReason abort_reason_ = AbortReason::none;

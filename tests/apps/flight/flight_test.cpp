@@ -123,6 +123,21 @@ INSTANTIATE_TEST_SUITE_P(Topology, Mission,
                          ::testing::Combine(::testing::Values("a03", "a13", "a23", "a53"),
                                             ::testing::Values(1u, 2u)));
 
+// The bars of the zones: 0.02 m over the whole leg, bends and arcs included.
+class ZoneMission : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ZoneMission, ArrivesOnTheNode) {
+  FlightRequest request = request_for(GetParam(), "paper");
+  apply_override(request, "speed_m_s=0.3");
+  request.layout = layout_of_zone(GetParam());
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  EXPECT_LT(flown.summary.rest->target_error_m, 0.02);
+  for (const LegScore& leg : flown.summary.track.legs)
+    EXPECT_LT(leg.whole.rmse_m, 0.02) << leg.from << leg.to;
+}
+INSTANTIATE_TEST_SUITE_P(Zones, ZoneMission, ::testing::Values("b02", "b03", "c01", "c05", "d00"));
+
 TEST(Flight, PidArrives) {
   FlightRequest request = request_for("a13", "paper");
   request.controller = "pid";
