@@ -19,7 +19,7 @@ VelocityCommand moving_as(const Observation& o) {
 /// Phases that go by a place: the start marker or a node.
 bool tracks_node(Phase phase) {
   return phase == Phase::align || phase == Phase::corner || phase == Phase::dock || phase == Phase::turn ||
-         phase == Phase::hover;
+         phase == Phase::hover || phase == Phase::land;
 }
 
 std::string told(const NodeSighting& node) {
@@ -187,7 +187,7 @@ Command Executive::command(const Observation& observation) {
     case Phase::aborted:
       return stay(observation);
     case Phase::land:
-      return LandCommand{};
+      return land(observation);
     case Phase::finished:
       return has_landed() ? Command(LandCommand{}) : Command(stay(observation));
   }
@@ -324,6 +324,15 @@ VelocityCommand Executive::corner(const Observation& observation) {
                 options_.phases.height_m};
   goal.velocity_H_m_s = speed_m_s * Eigen::Vector2d(std::cos(heading_rad), std::sin(heading_rad));
   return dock_law_.hold(observation, goal);
+}
+
+// Above the node as long as the height lets the camera see it; the autopilot does the rest.
+Command Executive::land(const Observation& observation) {
+  const auto node = tracker_.node_now(observation);
+  const double blind_m = options_.blind_share * options_.phases.height_m;
+  if (!traits_.servos_on_node || !node || !(observation.height_m > blind_m)) return LandCommand{};
+  return dock_law_.hold(observation,
+                        {*node, line_angle_rad_, 0.0, options_.descent_share * observation.height_m});
 }
 
 VelocityCommand Executive::turn(const Observation& observation) {

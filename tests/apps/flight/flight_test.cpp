@@ -138,6 +138,18 @@ TEST_P(ZoneMission, ArrivesOnTheNode) {
 }
 INSTANTIATE_TEST_SUITE_P(Zones, ZoneMission, ::testing::Values("b02", "b03", "c01", "c05", "d00"));
 
+TEST(Flight, LandsInsideTheEndDiscOfTheRedTrack) {
+  FlightRequest request;
+  apply_conditions(request, "minidrone");
+  request.instruction = "node:end";
+  request.layout = "minidrone";
+  request.land = true;
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "landed") << story(flown);
+  const Eigen::Vector2d down_W = flown.record.truth.back().p_WB.head<2>();
+  EXPECT_LT((down_W - flown.summary.target_W).norm(), 0.05);  // half the disc's radius
+}
+
 TEST(Flight, PidArrives) {
   FlightRequest request = request_for("a13", "paper");
   request.controller = "pid";
