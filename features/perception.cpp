@@ -6,6 +6,7 @@
 #include "features/junction/fpd.h"
 #include "features/line/line_methods.h"
 #include "features/line/stripe_stand_in.h"
+#include "features/point/disc.h"
 
 namespace lineservo::features {
 namespace {
@@ -46,6 +47,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   }
   segmentation_ = &segmenter_.segment(bgr);
   if (path_segmenter_) replace_path(bgr);
+  marker_px_ = find_marker();
   profile_of(segmentation_->path, profile_);
   const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), context.view, prior(context));
 
@@ -58,8 +60,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   features.line_end = stripes.line_end;
   features.centroid_px = centroid(profile_);
   features.marker_pixels = segmentation_->marker_pixels;
-  if (segmentation_->marker_pixels > kStartMarkerLimit_px)
-    features.start_marker = context.view.level(geometry_.normalize(*segmentation_->marker_centroid_px));
+  if (marker_px_) features.start_marker = context.view.level(geometry_.normalize(*marker_px_));
   features.foreground_ratio = foreground_ratio(profile_);
   features.law = law_features_.extract(bgr, *segmentation_, seen_by_all(features, stripes), context);
   bool line_ends_ahead = false;
@@ -68,11 +69,18 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   return features;
 }
 
+std::optional<PixelPoint> Perception::find_marker() const {
+  if (options_.marker == MarkerMethod::eroded) return end_disc_as_published(segmentation_->path, frame_size_);
+  return segmentation_->marker_pixels > kStartMarkerLimit_px ? segmentation_->marker_centroid_px
+                                                             : std::nullopt;
+}
+
 void Perception::replace_path(const cv::Mat& bgr) {
   const cv::Size size(options_.segmenter.width_px, options_.segmenter.height_px);
   replaced_ = *segmentation_;
   replaced_.path = path_segmenter_->segment(bgr, size);
-  if (replaced_.marker_pixels == 0) {
+  const bool only_path = replaced_.marker_pixels == 0 || options_.marker == MarkerMethod::eroded;
+  if (only_path) {
     replaced_.paint = replaced_.path;
   } else {
     replaced_.paint |= replaced_.path;
@@ -108,12 +116,13 @@ std::vector<LineFeature> Perception::detect_lines(const cv::Mat& bgr, const Leve
 
 JunctionCode Perception::read_code(const StripeFeatures& stripes, bool& line_ends_ahead) const {
   if (options_.junction_method == JunctionMethod::fpd) {
-    const DensityReading reading = read_densities(pixel_densities(profile_), segmentation_->marker_pixels);
+    const DensityReading reading =
+        read_densities(pixel_densities(profile_), marker_px_ ? kStartMarkerLimit_px + 1 : 0);
     line_ends_ahead = reading.line_ends_ahead;
     return reading.code;
   }
   line_ends_ahead = stripes.line_ends_ahead;
-  return segmentation_->marker_pixels > kStartMarkerLimit_px ? JunctionCode::start : stripes.raw;
+  return marker_px_ ? JunctionCode::start : stripes.raw;
 }
 
 }  // namespace lineservo::features

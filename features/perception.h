@@ -32,11 +32,19 @@ enum class LineFilter {
            ///< among parallels
 };
 
+/// What counts as the start or end disc.
+enum class MarkerMethod {
+  red,     ///< enough pixels of the red range, as published (topology §2.5)
+  eroded,  ///< what is left of the path under a circular erosion (vtp §3.1), for paths that are red
+           ///< themselves
+};
+
 struct PerceptionOptions {
   SegmenterOptions segmenter;
   /// Of segmenter_names(): with hsv the fast path with the ranges above; the others give the path's mask,
   /// while the start marker stays with the ranges.
   SegmenterChoice path;
+  MarkerMethod marker = MarkerMethod::red;
   JunctionMethod junction_method = JunctionMethod::stripe;
   int junction_window = CodeFilter::kDefaultWindow;
   StripePerceptionOptions stripe;
@@ -63,6 +71,7 @@ class Perception {
   const PackedMask& mask() const { return segmentation_->path; }
 
  private:
+  std::optional<PixelPoint> find_marker() const;
   void replace_path(const cv::Mat& bgr);
   std::optional<StripePrior> prior(const FrameContext& context) const;
   void track(std::vector<LineFeature>& lines, const FrameContext& context);
@@ -83,6 +92,7 @@ class Perception {
   std::unique_ptr<Segmenter> path_segmenter_;  ///< none: the fast path
   Segmentation replaced_;
   const Segmentation* segmentation_ = nullptr;
+  std::optional<PixelPoint> marker_px_;  ///< of the last frame, resized
 };
 
 }  // namespace lineservo::features

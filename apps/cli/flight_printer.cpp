@@ -14,6 +14,7 @@ namespace {
 constexpr double kQuietInterval_s = 30.0;
 
 std::string codes(const servo::NodeSignature& s) {
+  if (s.bend != servo::Bend::none) return std::string(name(s.bend));
   const std::string code(features::name(s.code));
   if (s.line_ends)
     return code + (s.code == features::JunctionCode::straight ? " (the line ends)" : " (corner or end)");

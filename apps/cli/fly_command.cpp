@@ -46,6 +46,7 @@ FlightRequest request_of(const FlyArguments& a) {
   if (!a.config) apply_conditions(request, a.conditions.value_or(request.conditions));
   if (!a.target.empty()) request.instruction = a.target;
   if (a.controller) request.controller = *a.controller;
+  if (!a.config) request.layout = layout_of_zone(request.instruction);
   if (a.layout) request.layout = *a.layout;
   if (a.seed) request.seed = read_seed(*a.seed, fmt::format("--seed {}", *a.seed));
   if (a.tuned) apply_shipped_tuned(request, "--tuned");
@@ -94,7 +95,9 @@ void add_fly_command(CLI::App& app, int& exit_code) {
   command->add_option("TARGET", a.target, "an instruction such as a13, or node:NAME");
   command->add_option("--controller", a.controller,
                       "the law that flies (default ibvs; lineservo controllers lists them)");
-  command->add_option("--layout", a.layout, "a floor that ships, or a YAML file (default warehouse)");
+  command->add_option(
+      "--layout", a.layout,
+      "a floor that ships, or a YAML file (default that of the zone: warehouse, square, octagon, circle)");
   command->add_option("--conditions", a.conditions, "conditions that ship, or a YAML file (default paper)");
   command->add_option("--speed", a.speed, "speed along the line in m/s (default: that of the conditions)");
   command->add_option("--seed", a.seed, "seed of everything random (default 1)");
@@ -115,8 +118,7 @@ void add_fly_command(CLI::App& app, int& exit_code) {
       "--out", a.out,
       "folder for summary.json, flight.csv, events.csv, config.yaml, and layout.yaml and conditions.yaml "
       "when they are your own");
-  CLI::Option* json =
-      command->add_flag("--json", a.json, "print summary.json instead of the short report");
+  CLI::Option* json = command->add_flag("--json", a.json, "print summary.json instead of the short report");
   for (CLI::Option* other : {out, json}) explain->excludes(other);
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });
 }

@@ -113,6 +113,19 @@ class NestedWriter {
 
 }  // namespace
 
+std::string layout_of_zone(const std::string& instruction) {
+  switch (instruction.empty() ? '\0' : instruction.front()) {
+    case 'b':
+      return "square";
+    case 'c':
+      return "octagon";
+    case 'd':
+      return "circle";
+    default:
+      return "warehouse";
+  }
+}
+
 std::uint64_t read_seed(const std::string& text, const std::string& where) {
   using Limits = std::numeric_limits<std::uint64_t>;
   const std::optional<std::uint64_t> seed = parse_number(text, Limits::min(), Limits::max());

@@ -28,6 +28,9 @@ void apply_conditions(FlightRequest& request, const std::string& name_or_path);
 /// Puts one KEY=VALUE over those of the request. Throws InputError.
 void apply_override(FlightRequest& request, const std::string& assignment);
 
+/// The floor that ships for the zone of an instruction (b02: square); warehouse for what names no zone.
+std::string layout_of_zone(const std::string& instruction);
+
 /// Reads a config.yaml: the request of an earlier flight. Paths of a layout and of conditions are taken from
 /// the folder of the config. Throws InputError naming file, line and key; also for a key that is missing and
 /// for a config of another version.

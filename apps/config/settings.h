@@ -27,6 +27,7 @@ struct FeatureSettings {
   std::string junction_method = "auto";  ///< "fpd", "stripe", or "auto": the controller's own
   int junction_window = 5;
   std::string segmenter = "hsv";
+  std::string marker = "red";
   features::DifferenceOptions difference;
   std::string line_method = "stripe";
   std::string line_filter = "none";  ///< "none" or "kalman"

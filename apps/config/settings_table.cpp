@@ -85,6 +85,7 @@ void SettingsTable::bind_features(FeatureSettings& f) {
   std::vector<std::string> segmenters;
   for (const std::string_view name : features::segmenter_names()) segmenters.emplace_back(name);
   word("features.segmenter", f.segmenter, segmenters);
+  word("features.marker", f.marker, {"red", "eroded"});
   number("features.difference.green_divisor", f.difference.green_divisor, 1.0, 255.0);
   number("features.difference.blue_divisor", f.difference.blue_divisor, 1.0, 255.0);
   number("features.difference.threshold", f.difference.threshold, 0.0, 255.0);
@@ -135,6 +136,7 @@ void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
   gain("servo.dock", e.dock.gain);
   number("servo.dock.drift_time_constant_s", e.dock.drift_time_constant_s, 0.05, 60.0);
   number("servo.dock.drift_limit_m_s", e.dock.drift_limit_m_s, 0.0, 2.0);
+  number("executive.leaving_heights", e.leaving_heights, 0.1, 3.0);
   whole("executive.confirm_frames", e.confirm_frames, 1, 30);
   number("executive.climb_rate_m_s", e.climb_rate_m_s, 0.05, 2.0);
   number("executive.approach_deceleration_m_s2", e.approach.deceleration_m_s2, 0.01, 5.0);

@@ -72,6 +72,7 @@ features::PerceptionOptions perception_options(const FeatureSettings& settings,
   options.junction_window = settings.junction_window;
   options.path.name = settings.segmenter;
   options.path.difference = settings.difference;
+  options.marker = settings.marker == "eroded" ? features::MarkerMethod::eroded : features::MarkerMethod::red;
   if (settings.segmenter == "svm") options.path.svm_model = shipped_text("models/yellow.yaml");
   options.line_filter =
       settings.line_filter == "kalman" ? features::LineFilter::kalman : features::LineFilter::none;

@@ -67,8 +67,9 @@ CurvePoint travelled_point(const TravelledEdge& edge, double arc_length_m) {
 }
 
 LegOffset offset_from(const LegTruth& leg, const Eigen::Vector2d& p_W) {
-  LegOffset offset;
-  return behind_start(leg, p_W, offset) ? offset : offset_after_node(leg, p_W);
+  LegOffset before;
+  const LegOffset after = offset_after_node(leg, p_W);
+  return behind_start(leg, p_W, before) && before.distance_m < after.distance_m ? before : after;
 }
 
 LegOffset offset_after_node(const LegTruth& leg, const Eigen::Vector2d& p_W) {

@@ -1,5 +1,6 @@
 #include "features/point/disc.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -31,6 +32,18 @@ std::optional<PixelPoint> end_disc(const PackedMask& path, int radius_px) {
   cv::Mat eroded;
   cv::erode(path.to_mat(), eroded, disc(radius_px));
   return centroid(profile_of(PackedMask::from_mat(eroded)));
+}
+
+std::optional<PixelPoint> end_disc_as_published(const PackedMask& path, cv::Size camera_size) {
+  constexpr int kWidth_px = 160;
+  const int height_px = std::max(1, kWidth_px * camera_size.height / camera_size.width);
+  cv::Mat small;
+  cv::resize(path.to_mat(), small, {kWidth_px, height_px}, 0.0, 0.0, cv::INTER_NEAREST);
+  const std::optional<PixelPoint> centre = end_disc(PackedMask::from_mat(small));
+  if (!centre) return std::nullopt;
+  const double scale_x = static_cast<double>(path.width()) / kWidth_px;
+  const double scale_y = static_cast<double>(path.height()) / height_px;
+  return PixelPoint{(centre->x + 0.5) * scale_x - 0.5, (centre->y + 0.5) * scale_y - 0.5};
 }
 
 }  // namespace lineservo::features

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opencv2/core/types.hpp>
 #include <optional>
 
 #include "features/geometry/points.h"
@@ -14,5 +15,9 @@ std::optional<PixelPoint> start_disc(const PackedMask& marker, int limit_px = 35
 /// 11 px), which no stripe narrower than that disc survives; the centroid of what is left, or none. What lies
 /// outside the mask erodes nothing. Throws std::invalid_argument unless the radius is 1 to 500 px.
 std::optional<PixelPoint> end_disc(const PackedMask& path, int radius_px = 11);
+
+/// The same in a mask of any size: the mask is brought to the frame that the published radius is for, 160 px
+/// wide and as high as the camera's shape makes it. Pixels of the given mask.
+std::optional<PixelPoint> end_disc_as_published(const PackedMask& path, cv::Size camera_size);
 
 }  // namespace lineservo::features

@@ -19,7 +19,12 @@ VelocityCommand moving_as(const Observation& o) {
 /// Phases that go by a place: the start marker or a node.
 bool tracks_node(Phase phase) {
   return phase == Phase::align || phase == Phase::corner || phase == Phase::dock || phase == Phase::turn ||
-         phase == Phase::hover;
+         phase == Phase::hover || phase == Phase::land;
+}
+
+std::string told(const NodeSighting& node) {
+  if (node.bend != Bend::none) return std::string(name(node.bend));
+  return std::string(features::name(node.code)) + (node.line_ends ? " (line ends)" : "");
 }
 
 bool turns(Phase phase) {
@@ -65,10 +70,7 @@ void Executive::observe(const Observation& observation) {
   if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.x();
   last_odometry_ = observation.odometry_now;
 
-  node_ = phase_ == Phase::follow
-              ? matcher_.update(near_reading(observation, current_step()),
-                                travelled_m_ > options_.leaving_heights * observation.height_m)
-              : std::nullopt;
+  node_ = phase_ == Phase::follow ? node_told(observation) : std::nullopt;
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
         phase_ == Phase::align ? disc_sighting(observation) : node_sighting(observation, current_step());
@@ -80,6 +82,14 @@ void Executive::observe(const Observation& observation) {
   if (phase_ == Phase::align && tracker_.node_now(observation)) line_seen_ = observation.now;
   if (turns(phase_)) line_angle_rad_ = turn_.correct(observation);
   smooth_velocity(observation);
+}
+
+std::optional<NodeSighting> Executive::node_told(const Observation& observation) {
+  const bool away = travelled_m_ > options_.leaving_heights * observation.height_m;
+  const Bend bend = traits_.servos_on_node
+                        ? bend_sighting(observation, current_step())
+                        : centroid_bend_.update(observation, current_step(), matcher_.leaving());
+  return matcher_.update(near_reading(observation, current_step()), away, bend);
 }
 
 // A first-order low pass, v ← p·v + (1 − p)·(v̂ + d̂) with p = exp(−dt/τ): the noise of the estimate is as
@@ -122,8 +132,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
 void Executive::pass_node(Time now) {
   const PlanStep& step = plan_.steps[step_];
   ++nodes_recognised_;
-  report("node", std::string(features::name(node_->code)) + (node_->line_ends ? " (line ends)" : "") + ": " +
-                     std::string(name(step.manoeuvre)) + " at " + step.node);
+  report("node", told(*node_) + ": " + std::string(name(step.manoeuvre)) + " at " + step.node);
   if (step.manoeuvre == Manoeuvre::go_straight) {
     ++step_;
     travelled_m_ = 0.0;
@@ -178,7 +187,7 @@ Command Executive::command(const Observation& observation) {
     case Phase::aborted:
       return stay(observation);
     case Phase::land:
-      return LandCommand{};
+      return land(observation);
     case Phase::finished:
       return has_landed() ? Command(LandCommand{}) : Command(stay(observation));
   }
@@ -315,6 +324,15 @@ VelocityCommand Executive::corner(const Observation& observation) {
                 options_.phases.height_m};
   goal.velocity_H_m_s = speed_m_s * Eigen::Vector2d(std::cos(heading_rad), std::sin(heading_rad));
   return dock_law_.hold(observation, goal);
+}
+
+// Above the node as long as the height lets the camera see it; the autopilot does the rest.
+Command Executive::land(const Observation& observation) {
+  const auto node = tracker_.node_now(observation);
+  const double blind_m = options_.blind_share * options_.phases.height_m;
+  if (!traits_.servos_on_node || !node || !(observation.height_m > blind_m)) return LandCommand{};
+  return dock_law_.hold(observation,
+                        {*node, line_angle_rad_, 0.0, options_.descent_share * observation.height_m});
 }
 
 VelocityCommand Executive::turn(const Observation& observation) {

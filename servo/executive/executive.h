@@ -10,6 +10,7 @@
 #include "servo/executive/junction_matcher.h"
 #include "servo/executive/node_tracker.h"
 #include "servo/executive/phase.h"
+#include "servo/executive/sighting.h"
 #include "servo/executive/turn.h"
 #include "servo/executive/turn_profile.h"
 #include "servo/law/dock_law.h"
@@ -34,6 +35,8 @@ struct ExecutiveOptions {
   double climb_rate_m_s = 0.4;
   double heading_gain_per_s = 0.5;  ///< for laws that do not steer the heading
   double heading_rate_limit_rad_s = 0.1;
+  double blind_share = 0.4;    ///< of the height of flight, below which a node is no guide for landing
+  double descent_share = 0.8;  ///< height aimed at on the way down, of that now
   double speed_time_constant_s = 0.5;  ///< over which the speed that counts as rest is averaged
 };
 
@@ -64,6 +67,7 @@ class Executive {
 
  private:
   void observe(const Observation& observation);
+  std::optional<NodeSighting> node_told(const Observation& observation);
   void smooth_velocity(const Observation& observation);
   Situation assess(const Observation& observation, bool on_ground);
   void enter(Phase phase, const Observation& observation);
@@ -79,6 +83,7 @@ class Executive {
   double heading_hold_rad_s() const;
   VelocityCommand hold_node(const Observation& observation);
   Command hover(const Observation& observation);
+  Command land(const Observation& observation);
   VelocityCommand corner(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
 
@@ -100,6 +105,7 @@ class Executive {
   DockLaw dock_law_;
   JunctionMatcher matcher_;
   NodeTracker tracker_;
+  CentroidBend centroid_bend_;
 
   Phase phase_ = Phase::take_off;
   AbortReason abort_reason_ = AbortReason::none;

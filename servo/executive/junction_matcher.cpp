@@ -5,18 +5,19 @@ namespace lineservo::servo {
 using features::CodeReading;
 using features::JunctionCode;
 
-std::optional<NodeSighting> complete_node(const CodeReading& reading) {
+std::optional<NodeSighting> complete_node(const CodeReading& reading, Bend bend) {
+  if (bend != Bend::none) return NodeSighting{JunctionCode::straight, false, bend};
   switch (reading.smoothed) {
     case JunctionCode::start:
     case JunctionCode::cross:
     case JunctionCode::tee_right:
     case JunctionCode::tee_left:
-      return NodeSighting{reading.smoothed, false};
+      return NodeSighting{reading.smoothed, false, Bend::none};
     case JunctionCode::tee_ahead:
     case JunctionCode::corner_right:
     case JunctionCode::corner_left:
     case JunctionCode::straight:
-      if (reading.line_ends_ahead) return NodeSighting{reading.smoothed, true};
+      if (reading.line_ends_ahead) return NodeSighting{reading.smoothed, true, Bend::none};
       return std::nullopt;
     default:
       return std::nullopt;
@@ -33,12 +34,12 @@ void JunctionMatcher::restart() {
   candidate_frames_ = 0;
 }
 
-std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading, bool away) {
+std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading, bool away, Bend bend) {
   if (leaving_) {
     leaving_ = !(away && is_clear(reading));
     return std::nullopt;
   }
-  const std::optional<NodeSighting> seen = complete_node(reading);
+  const std::optional<NodeSighting> seen = complete_node(reading, bend);
   candidate_frames_ = seen && seen == candidate_ ? candidate_frames_ + 1 : 1;
   candidate_ = seen;
   if (!seen || candidate_frames_ < confirm_frames_) return std::nullopt;

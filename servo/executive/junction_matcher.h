@@ -3,13 +3,16 @@
 #include <optional>
 
 #include "features/frame_features.h"
+#include "servo/plan/plan.h"
 
 namespace lineservo::servo {
 
-/// A node recognised on the way: its code with all arms in view, and whether the line goes on ahead.
+/// A node recognised on the way: its code with all arms in view, whether the line goes on ahead, or how it
+/// bends.
 struct NodeSighting {
   features::JunctionCode code = features::JunctionCode::unrecognised;
   bool line_ends = false;
+  Bend bend = Bend::none;
 
   friend bool operator==(const NodeSighting&, const NodeSighting&) = default;
 };
@@ -25,7 +28,7 @@ class JunctionMatcher {
   void restart();
   /// `away`: the vehicle has come so far since the last node, or since the start of the leg, that it can be
   /// out of view.
-  std::optional<NodeSighting> update(const features::CodeReading& reading, bool away);
+  std::optional<NodeSighting> update(const features::CodeReading& reading, bool away, Bend bend = Bend::none);
   /// The node told last, or the one that the leg started from, is still in view.
   bool leaving() const { return leaving_; }
 
@@ -39,7 +42,8 @@ class JunctionMatcher {
 /// The node that a reading shows with all its arms, or none: a red disc, ┼, ├ and ┤ by their codes; a corner,
 /// a ┬ and a dead end only when the line is seen to end, because before that a ┼, ├ or ┤ that comes up reads
 /// the same.
-std::optional<NodeSighting> complete_node(const features::CodeReading& reading);
+/// A bend counts before all these.
+std::optional<NodeSighting> complete_node(const features::CodeReading& reading, Bend bend = Bend::none);
 
 /// Plain line and nothing else.
 bool is_clear(const features::CodeReading& reading);

@@ -103,7 +103,8 @@ bool cornered(const Situation& s, const PhaseOptions& o) {
 }
 
 bool expected(const NodeSighting& node, const PlanStep& step) {
-  return node.code == step.expected.code && node.line_ends == step.expected.line_ends;
+  return node.code == step.expected.code && node.line_ends == step.expected.line_ends &&
+         node.bend == step.expected.bend;
 }
 
 bool overdue(const Situation& s, const PhaseOptions& o) {

@@ -1,13 +1,43 @@
 #include "servo/executive/sighting.h"
 
+#include <cmath>
+#include <vector>
+
+#include "features/geometry/angles.h"
+
 namespace lineservo::servo {
 namespace {
 
 /// Nearer than this a disc is told, in heights: 0.2 m at 0.5 m, about where a cross is.
 constexpr double kDiscNear_heights = 0.4;
 
+// Bounds of a bend as seen: those of the plan (25° to 65°), with the yaw that is left.
+constexpr double kBackArm_rad = features::radians(30.0);
+constexpr double kLeastBend_rad = features::radians(20.0);
+constexpr double kSharpestBend_rad = features::radians(70.0);
+
+constexpr double kImageCentre_px = 199.5;
+constexpr double kBendCentroid_px = 45.0;  // Γ/(2h) of topology §2.5
+constexpr double kOnLine_px = 10.0;
+
 bool expects_disc(const PlanStep* step) {
   return step && step->expected.code == features::JunctionCode::start;
+}
+
+bool expects_bend(const PlanStep* step) {
+  return step && step->expected.bend != Bend::none;
+}
+
+/// By two arms, of which one leads back and the other ahead to a side.
+Bend bend_of(const std::vector<features::ArmFeature>& arms) {
+  if (arms.size() != 2) return Bend::none;
+  const bool first_is_back = std::abs(arms[0].angle_rad) > std::abs(arms[1].angle_rad);
+  const double back_rad = arms[first_is_back ? 0 : 1].angle_rad;
+  const double ahead_rad = arms[first_is_back ? 1 : 0].angle_rad;
+  const bool bends = features::kPi - std::abs(back_rad) < kBackArm_rad &&
+                     std::abs(ahead_rad) > kLeastBend_rad && std::abs(ahead_rad) < kSharpestBend_rad;
+  if (!bends) return Bend::none;
+  return ahead_rad > 0.0 ? Bend::left : Bend::right;
 }
 
 }  // namespace
@@ -19,6 +49,8 @@ std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
 
 features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
   features::CodeReading reading = o.features.code;
+  if (expects_bend(step) && reading.smoothed == features::JunctionCode::straight)
+    reading.line_ends_ahead = false;
   if (reading.smoothed != features::JunctionCode::start) return reading;
   const auto disc = disc_sighting(o);
   const bool is_near = disc && disc->norm() < kDiscNear_heights * o.capture_height_m;
@@ -35,6 +67,20 @@ std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanSte
     return floor_point_m(line_to_follow(o)->end, o.capture_height_m);
   }
   return std::nullopt;
+}
+
+Bend bend_sighting(const Observation& o, const PlanStep* step) {
+  if (!expects_bend(step) || !o.features.junction) return Bend::none;
+  return bend_of(o.features.junction->arms);
+}
+
+Bend CentroidBend::update(const Observation& o, const PlanStep* step, bool leaving) {
+  if (leaving || !expects_bend(step)) was_on_line_ = false;
+  if (leaving || !expects_bend(step) || !o.features.centroid_px) return Bend::none;
+  const double off_px = o.features.centroid_px->x - kImageCentre_px;
+  was_on_line_ |= std::abs(off_px) < kOnLine_px;
+  if (!was_on_line_ || std::abs(off_px) <= kBendCentroid_px) return Bend::none;
+  return off_px < 0.0 ? Bend::left : Bend::right;
 }
 
 }  // namespace lineservo::servo

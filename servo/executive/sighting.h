@@ -16,7 +16,22 @@ std::optional<Eigen::Vector2d> disc_sighting(const Observation& o);
 /// end. Heading frame at the frame's capture, metres.
 std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step);
 
+/// How the line bends at the junction in view, where the step expects a bend.
+Bend bend_sighting(const Observation& o, const PlanStep* step);
+
+/// The published way to notice a bend, which turns where it notices (topology §2.5): the path's centroid,
+/// having been in the middle, lies more than 45 of 400 px to a side.
+class CentroidBend {
+ public:
+  /// `leaving`: the node behind is still in view and moves the centroid.
+  Bend update(const Observation& o, const PlanStep* step, bool leaving);
+
+ private:
+  bool was_on_line_ = false;
+};
+
 /// The reading with a disc only where one is expected, and near: its first sliver says little of its middle.
+/// Where a bend is expected the line's end is the bend.
 features::CodeReading near_reading(const Observation& o, const PlanStep* step);
 
 }  // namespace lineservo::servo

@@ -1,5 +1,6 @@
 #include "servo/plan/plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,9 +16,10 @@ using features::JunctionCode;
 using features::kPi;
 using features::wrap_angle;
 
-constexpr double kArmTolerance_rad = features::radians(25.0);  // codes.md
-constexpr double kStraightOn_rad = features::radians(15.0);    // beyond, the camera may see a corner
-constexpr NodeSignature kDisc{JunctionCode::start, JunctionCode::start, false};
+constexpr double kArmTolerance_rad = features::radians(25.0);      // codes.md
+constexpr double kStraightOn_rad = features::radians(15.0);        // beyond, the camera may see a corner
+constexpr double kSharpestBend_rad = kPi / 2 - kArmTolerance_rad;  // beyond, it is a corner
+constexpr NodeSignature kDisc{JunctionCode::start, JunctionCode::start, false, Bend::none};
 
 bool near(double angle_rad, double direction_rad) {
   return std::abs(wrap_angle(angle_rad - direction_rad)) <= kArmTolerance_rad;
@@ -56,7 +58,16 @@ std::vector<double> relative_angles(const TopologyNode& node, double travel_head
 }
 
 bool looks_like_plain_line(const NodeSignature& s) {
-  return s.code == JunctionCode::straight && !s.line_ends;
+  return s.code == JunctionCode::straight && !s.line_ends && s.bend == Bend::none;
+}
+
+Bend bend_of(const std::vector<double>& arm_angles_rad) {
+  if (arm_angles_rad.size() != 2) return Bend::none;
+  const bool first_is_back = near(arm_angles_rad[0], kPi);
+  if (!first_is_back && !near(arm_angles_rad[1], kPi)) return Bend::none;
+  const double bend_rad = wrap_angle(arm_angles_rad[first_is_back ? 1 : 0]);
+  if (near(bend_rad, 0.0) || std::abs(bend_rad) >= kSharpestBend_rad) return Bend::none;
+  return bend_rad > 0.0 ? Bend::left : Bend::right;
 }
 
 PlanStep arrive(const Topology& topology, const TopologyArm& by) {
@@ -99,7 +110,7 @@ void leave(PlanStep& step, const TopologyArm& by, const TopologyArm& onto) {
   if (std::abs(turn_rad) <= kStraightOn_rad) return;
   if (near(turn_rad, 0.0)) {
     throw std::invalid_argument("node " + step.node + ": the way bends by " + in_degrees(std::abs(turn_rad)) +
-                                ", neither straight on (up to 15°) nor a turn (from 65°)");
+                                ", neither straight on (up to 15°) nor a bend or turn (from 25°)");
   }
   if (looks_like_plain_line(step.expected)) {
     throw std::invalid_argument("node " + step.node +
@@ -128,6 +139,12 @@ void append(std::vector<PlanStep>& steps, PlanStep step, UnseenEdges& unseen) {
   steps.push_back(std::move(step));
 }
 
+/// One round to the start's own disc, where nothing but the line that is flown passes.
+bool ends_a_round(const TopologyNode& start) {
+  const auto& arms = start.arms;
+  return start.has_disc && arms.size() == 2 && near(arms[0].heading_rad - arms[1].heading_rad, kPi);
+}
+
 std::string labels_of(const Topology& topology) {
   std::string list;
   for (const auto& [label, node] : topology.labels) list += (list.empty() ? "" : " ") + label;
@@ -137,18 +154,22 @@ std::string labels_of(const Topology& topology) {
 }  // namespace
 
 NodeSignature signature(const std::vector<double>& arm_angles_rad) {
+  if (const Bend bend = bend_of(arm_angles_rad); bend != Bend::none) {
+    return {JunctionCode::straight, JunctionCode::straight, false, bend};
+  }
   Arms arms;
   for (const double angle_rad : arm_angles_rad) add_arm(arms, angle_rad);
   Arms ahead = arms;
   ahead.forward = false;  // the forward arm comes into view last
-  return {code_of(ahead), code_of(arms), !arms.forward};
+  return {code_of(ahead), code_of(arms), !arms.forward, Bend::none};
 }
 
 Plan compile(const Topology& topology, std::size_t target, std::string instruction) {
   const std::string& target_name = topology.nodes.at(target).name;
-  if (target == topology.start) {
-    throw std::invalid_argument(instruction + ": the target " + target_name +
-                                " is the take-off point itself");
+  if (target == topology.start && !ends_a_round(topology.nodes[target])) {
+    throw std::invalid_argument(
+        instruction + ": the target " + target_name +
+        " is the take-off point itself (allowed where it is a disc on plain line: one round)");
   }
   const std::optional<Route> route = shortest_route(topology, topology.start, target);
   if (!route) throw std::invalid_argument(instruction + ": no painted way leads to " + target_name);
@@ -188,6 +209,10 @@ std::size_t find_target(const Topology& topology, std::string_view target) {
                                 "; it has: " + labels_of(topology));
   }
   return it->second;
+}
+
+std::string_view name(Bend bend) {
+  return bend == Bend::left ? "bend left" : bend == Bend::right ? "bend right" : "no bend";
 }
 
 std::string_view name(Manoeuvre manoeuvre) {

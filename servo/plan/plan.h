@@ -9,11 +9,17 @@
 
 namespace lineservo::servo {
 
+/// A corner that the codes have no name for: the way bends by 25 to 65°, and no other arm is there.
+enum class Bend { none, left, right };
+
+std::string_view name(Bend bend);
+
 /// How a node looks to the camera of a vehicle that approaches it.
 struct NodeSignature {
   features::JunctionCode preview = features::JunctionCode::straight;  ///< when its side arms come into view
   features::JunctionCode code = features::JunctionCode::straight;     ///< when all its arms are in view
   bool line_ends = false;  ///< no arm goes on ahead: a corner, a ┬ or a dead end
+  Bend bend = Bend::none;  ///< the code is that of plain line then
 
   friend bool operator==(const NodeSignature&, const NodeSignature&) = default;
 };
@@ -40,9 +46,9 @@ struct Plan {
 };
 
 /// Compiles the way from the start node to a node. Throws std::invalid_argument that says why when there is
-/// no route, when the target is the start, when the camera cannot tell a node that matters (it looks like
-/// plain line), when arms meet at angles that the codes cannot name or two on one side, or when the way bends
-/// by 15 to 65° at once.
+/// no route, when the target is the start and not a disc on plain line (which is one round), when the camera
+/// cannot tell a node that matters (it looks like plain line), when arms meet at angles that the codes cannot
+/// name or two on one side, or when the way bends by 15 to 25° at once.
 Plan compile(const Topology& topology, std::size_t target, std::string instruction);
 
 /// The node that a target names: a DIF (a13) by the topology's labels, or node:NAME. Throws
@@ -50,8 +56,8 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
 std::size_t find_target(const Topology& topology, std::string_view target);
 
 /// How a node with arms at these angles (relative to the direction of travel, back arm included) looks.
-/// Throws std::invalid_argument when an arm is more than 25° off forward, back, left and right, or two are on
-/// one side.
+/// Two arms of which one lies back and one 25 to 65° off ahead are a bend. Throws std::invalid_argument when
+/// an arm is more than 25° off forward, back, left and right, or two are on one side.
 NodeSignature signature(const std::vector<double>& arm_angles_rad);
 
 std::string_view name(Manoeuvre manoeuvre);

@@ -64,7 +64,6 @@ Route trace(const Topology& topology, const std::map<State, State>& previous, St
 }  // namespace
 
 std::optional<Route> shortest_route(const Topology& topology, std::size_t start, std::size_t target) {
-  if (start == target) return Route{};
   using Entry = std::pair<Cost, State>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::map<State, Cost> best;

@@ -235,5 +235,14 @@ TEST(ApplyOverride, NeedsKeyAndValue) {
   EXPECT_THAT(complaint([&] { apply_override(request, "seed=2"); }), HasSubstr("unknown key 'seed'"));
 }
 
+TEST(FlightRequest, EachZoneHasItsFloor) {
+  EXPECT_EQ(layout_of_zone("a13"), "warehouse");
+  EXPECT_EQ(layout_of_zone("b02"), "square");
+  EXPECT_EQ(layout_of_zone("c07"), "octagon");
+  EXPECT_EQ(layout_of_zone("d00"), "circle");
+  EXPECT_EQ(layout_of_zone("node:dock7"), "warehouse");
+  EXPECT_EQ(layout_of_zone(""), "warehouse");
+}
+
 }  // namespace
 }  // namespace lineservo::apps

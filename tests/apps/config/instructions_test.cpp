@@ -37,9 +37,12 @@ const servo::TopologyArm* arm_in_heading(const servo::TopologyNode& node, double
 
 /// How a node looks in this heading, told from its arms without the planner's code.
 struct Look {
-  bool forward, left, right;
-  bool is_plain() const { return forward && !left && !right; }
+  bool forward, left, right, disc;
+  servo::Bend bend;
+  bool is_plain() const { return forward && !left && !right && !disc; }
+  bool ends() const { return !forward && !disc && bend == servo::Bend::none; }
   JunctionCode code() const {
+    if (disc) return JunctionCode::start;
     if (forward)
       return left && right ? JunctionCode::cross : left ? JunctionCode::tee_left : JunctionCode::tee_right;
     if (left && right) return JunctionCode::tee_ahead;
@@ -51,7 +54,10 @@ Look look(const servo::TopologyNode& node, double heading_rad) {
   const auto sees = [&](double angle_rad) {
     return arm_in_heading(node, heading_rad + angle_rad) != nullptr;
   };
-  return {sees(0.0), sees(kPi / 2), sees(-kPi / 2)};
+  servo::Bend bend = servo::Bend::none;
+  if (node.arms.size() == 2 && sees(kPi / 4)) bend = servo::Bend::left;
+  if (node.arms.size() == 2 && sees(-kPi / 4)) bend = servo::Bend::right;
+  return {sees(0.0), sees(kPi / 2), sees(-kPi / 2), node.has_disc, bend};
 }
 
 /// Walks the plan; the node where it ends, or none when something did not look as the plan said.
@@ -67,7 +73,9 @@ std::optional<std::size_t> walk(const servo::Topology& topology, const servo::Pl
       heading_rad = arm->arrival_heading_rad;
       seen = look(topology.nodes[at], heading_rad);
     } while (seen.is_plain());
-    if (seen.code() != step.expected.code || seen.forward == step.expected.line_ends) return std::nullopt;
+    if (seen.code() != step.expected.code || seen.ends() != step.expected.line_ends ||
+        seen.bend != step.expected.bend)
+      return std::nullopt;
     if (step.manoeuvre == servo::Manoeuvre::turn) heading_rad += step.turn_rad;
   }
   return at;
@@ -78,7 +86,7 @@ class EveryInstruction : public ::testing::TestWithParam<std::string> {};
 TEST_P(EveryInstruction, EndsOnItsNodeByCodesAndTurnsAlone) {
   const servo::Topology topology = topology_named(GetParam());
   for (const auto& [label, node] : topology.labels) {
-    if (node == topology.start) {
+    if (node == topology.start && label != "d00") {
       EXPECT_THROW(plan_to(topology, label), std::invalid_argument) << label;
       continue;
     }
@@ -93,7 +101,7 @@ TEST_P(EveryInstruction, EndsOnItsNodeByCodesAndTurnsAlone) {
 TEST_P(EveryInstruction, StepLengthsAddUpToTheRoute) {
   const servo::Topology topology = topology_named(GetParam());
   for (const auto& [label, node] : topology.labels) {
-    if (node == topology.start) continue;
+    if (node == topology.start && label != "d00") continue;
     const servo::Plan plan = plan_to(topology, label);
     double of_steps_m = 0.0, of_route_m = 0.0;
     for (const servo::PlanStep& step : plan.steps) of_steps_m += step.edge_length_m;

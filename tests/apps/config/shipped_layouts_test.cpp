@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "apps/config/data_folder.h"
 #include "apps/config/layout_file.h"
+#include "apps/config/layout_topology.h"
 #include "features/geometry/angles.h"
 
 namespace lineservo::apps {
@@ -106,6 +108,40 @@ TEST(ShippedLayouts, BendHasNoKinks) {
     EXPECT_NEAR(curve.at(curve.length_m()).heading_rad, next.at(0.0).heading_rad, 1e-9);
   }
   EXPECT_NEAR(layout.edges[2].centreline.at(1.0).heading_rad, radians(45.0), 1e-9);
+}
+
+/// A mid-side of a regular polygon of this apothem, counter-clockwise from the bottom.
+Eigen::Vector2d mid_side(int k, int sides, double apothem_m) {
+  const double angle_rad = -kPi / 2 + 2.0 * kPi * k / sides;
+  return apothem_m * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
+}
+
+void expect_ring_of_tees(const vehicle::Layout& layout, char zone, int sides) {
+  const servo::Topology topology = topology_of(layout);
+  for (int k = 0; k < sides; ++k) {
+    const std::string name{zone, '0', static_cast<char>('0' + k)};
+    const std::size_t node = k == 0 ? layout.start : layout.labels.at(name);
+    EXPECT_LT((layout.nodes[node].p_W - mid_side(k, sides, 4.8)).norm(), 1e-8) << name;
+    EXPECT_EQ(topology.nodes[node].arms.size(), 3u) << name;
+  }
+  double around_m = 0.0;
+  for (const vehicle::LayoutEdge& edge : layout.edges) around_m += edge.centreline.length_m();
+  EXPECT_NEAR(around_m, sides * (2.0 * 4.8 * std::tan(kPi / sides) + 0.6), 1e-6);
+}
+
+TEST(ShippedLayouts, ZonesBAndCAreRingsWithTeesToTheInside) {
+  expect_ring_of_tees(shipped("square"), 'b', 4);
+  expect_ring_of_tees(shipped("octagon"), 'c', 8);
+}
+
+TEST(ShippedLayouts, ZoneDIsACircle) {
+  const vehicle::Layout layout = shipped("circle");
+  double around_m = 0.0;
+  for (const vehicle::LayoutEdge& edge : layout.edges) {
+    around_m += edge.centreline.length_m();
+    EXPECT_NEAR(edge.centreline.at(1.0).p_W.norm(), 5.3, 1e-9);
+  }
+  EXPECT_NEAR(around_m, 2.0 * kPi * 5.3, 1e-9);
 }
 
 }  // namespace

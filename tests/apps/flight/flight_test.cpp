@@ -123,6 +123,33 @@ INSTANTIATE_TEST_SUITE_P(Topology, Mission,
                          ::testing::Combine(::testing::Values("a03", "a13", "a23", "a53"),
                                             ::testing::Values(1u, 2u)));
 
+// The bars of the zones: 0.02 m over the whole leg, bends and arcs included.
+class ZoneMission : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ZoneMission, ArrivesOnTheNode) {
+  FlightRequest request = request_for(GetParam(), "paper");
+  apply_override(request, "speed_m_s=0.3");
+  request.layout = layout_of_zone(GetParam());
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  EXPECT_LT(flown.summary.rest->target_error_m, 0.02);
+  for (const LegScore& leg : flown.summary.track.legs)
+    EXPECT_LT(leg.whole.rmse_m, 0.02) << leg.from << leg.to;
+}
+INSTANTIATE_TEST_SUITE_P(Zones, ZoneMission, ::testing::Values("b02", "b03", "c01", "c05", "d00"));
+
+TEST(Flight, LandsInsideTheEndDiscOfTheRedTrack) {
+  FlightRequest request;
+  apply_conditions(request, "minidrone");
+  request.instruction = "node:end";
+  request.layout = "minidrone";
+  request.land = true;
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "landed") << story(flown);
+  const Eigen::Vector2d down_W = flown.record.truth.back().p_WB.head<2>();
+  EXPECT_LT((down_W - flown.summary.target_W).norm(), 0.05);  // half the disc's radius
+}
+
 TEST(Flight, PidArrives) {
   FlightRequest request = request_for("a13", "paper");
   request.controller = "pid";

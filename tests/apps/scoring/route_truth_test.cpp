@@ -50,6 +50,16 @@ TEST(RouteTruth, AnEdgePaintedTheOtherWayRoundIsTravelledReversed) {
   EXPECT_NEAR(offset_from(route.legs[0], {-1.0, 0.25}).signed_m, 0.25, 1e-12);
 }
 
+TEST(RouteTruth, ARoundIsOneLegAndItsFarSideIsNotBehindTheStart) {
+  const vehicle::Layout floor = shipped_layout("circle");
+  const RouteTruth route = route_truth(floor, plan_on(floor, "d00"));
+  ASSERT_EQ(route.legs.size(), 1u);
+  EXPECT_EQ(route.legs[0].edges.size(), 4u);
+  EXPECT_EQ(route.target, floor.start);
+  EXPECT_NEAR(offset_from(route.legs[0], {-5.4, 0.0}).distance_m, 0.1, 1e-9);
+  EXPECT_NEAR(offset_from(route.legs[0], {-5.2, 0.0}).signed_m, 0.1, 1e-9);  // to the inside, which is left
+}
+
 class OffsetTest : public ::testing::Test {
  protected:
   const vehicle::Layout floor_ = shipped_layout("warehouse");

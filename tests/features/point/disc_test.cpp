@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace lineservo::features {
 namespace {
 
@@ -48,6 +50,21 @@ TEST(EndDisc, AStripeAloneIsNone) {
     for (int x = 70; x < 92; ++x) mask.set(x, y);  // 22 px, one short of the kernel
   EXPECT_FALSE(end_disc(mask, 11));
   EXPECT_THROW(end_disc(mask, 0), std::invalid_argument);
+}
+
+// A mask of 400 × 400 of a camera of 4:3: 2.5 and 3.33 times the published frame.
+TEST(EndDisc, IsFoundInAMaskOfAnySize) {
+  PackedMask mask(400, 400);
+  const auto stretched = [](int x, int y) {
+    return std::hypot((x - 210) / 2.5, (y - 120) / (400.0 / 120.0));
+  };
+  for (int y = 0; y < 400; ++y)
+    for (int x = 0; x < 400; ++x)
+      if (stretched(x, y) <= 13.2 || (y > 120 && std::abs(x - 210) <= 16)) mask.set(x, y);
+  const auto centre = end_disc_as_published(mask, {640, 480});
+  ASSERT_TRUE(centre);
+  EXPECT_NEAR(centre->x, 210.0, 2.5);
+  EXPECT_NEAR(centre->y, 120.0, 3.4);
 }
 
 }  // namespace

@@ -121,5 +121,14 @@ TEST(JunctionMatcher, ANodeLeftBehindIsNotToldAgainBeforeItCanBeOutOfView) {
   EXPECT_TRUE(matcher.update(reading("J3"), true).has_value());
 }
 
+TEST(JunctionMatcher, ABendIsToldAfterAsManyFramesAndBeforeTheCode) {
+  JunctionMatcher matcher(2);
+  matcher.update(reading("J2"), true);
+  EXPECT_FALSE(matcher.update(reading("J2"), true, Bend::left).has_value());
+  EXPECT_FALSE(matcher.update(reading("J2"), true, Bend::right).has_value());
+  EXPECT_EQ(matcher.update(reading("J5"), true, Bend::right),
+            (NodeSighting{JunctionCode::straight, false, Bend::right}));
+}
+
 }  // namespace
 }  // namespace lineservo::servo

@@ -73,8 +73,7 @@ TEST(Mission, A13PassesThePhasesInOrder) {
   const Logbook log = fly(mission_to(floor, "a13"));
   expect_arrival(log, floor.at("a13"), 0.005);
   EXPECT_NEAR(std::remainder(log.pose.heading_rad - kPi / 2, 2 * kPi), 0.0, radians(0.5));
-  EXPECT_THAT(log.phases,
-              ElementsAre("align", "follow", "corner", "follow", "dock", "hover", "finished"));
+  EXPECT_THAT(log.phases, ElementsAre("align", "follow", "corner", "follow", "dock", "hover", "finished"));
   EXPECT_THAT(log.nodes, ElementsAre("J9: turn at a10", "J3: go straight at a11", "J3: go straight at a12",
                                      "J3: hover at a13"));
 }

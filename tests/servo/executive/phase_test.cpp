@@ -215,9 +215,7 @@ TEST(Next, NodesLeadToTheirManoeuvre) {
       {"straight over, no docking", Phase::follow, Phase::follow, seen(kSeenCross, kCross, false)},
       {"turn", Phase::follow, Phase::dock, seen(kSeenTee, kTurn, true)},
       {"turn without a stop", Phase::follow, Phase::corner,
-       [](Situation& s) {
-         s.node = kSeenTee, s.step = &kTurn, s.servos_on_node = s.rounds_corner = true;
-       }},
+       [](Situation& s) { s.node = kSeenTee, s.step = &kTurn, s.servos_on_node = s.rounds_corner = true; }},
       {"turn, no docking", Phase::follow, Phase::turn, seen(kSeenTee, kTurn, false)},
       {"hover", Phase::follow, Phase::dock, seen(kSeenCross, kHover, true)},
       {"hover, no docking", Phase::follow, Phase::hover, seen(kSeenCross, kHover, false)},
