@@ -9,6 +9,7 @@
 #include "servo/law/controllers.h"
 #include "vehicle/autopilot/options.h"
 #include "vehicle/body/airframe.h"
+#include "vehicle/body/weather.h"
 
 namespace lineservo::apps {
 
@@ -21,6 +22,7 @@ struct CameraSettings {
   double latency_s = 0.0;
   double latency_error_s = 0.0;  ///< bound of what the law takes the latency for, less what it is
   double noise_levels = 0.0;     ///< standard deviation, in levels of 255
+  double mount_tilt_deg = 0.0;   ///< off its place, towards a side that the seed says
 };
 
 struct FeatureSettings {
@@ -44,12 +46,22 @@ struct SensorSettings {
   double tilt_bias_deg = 0.0;
   double velocity_sigma_m_s = 0.0;
   double velocity_bias_m_s = 0.0;
+  double velocity_bias_start_m_s = 0.0;
   double range_sigma_m = 0.0;
 };
 
 struct WindSettings {
   double mean_m_s = 0.0;
   double direction_deg = 0.0;  ///< where it blows to, from +x
+  double turbulence_m_s = 0.0;
+  double turbulence_height_m = 0.5;
+  vehicle::GustParameters gust;
+};
+
+/// One motor that is weaker than the others.
+struct WeakMotorSettings {
+  int rotor = 1;  ///< front right, rear left, front left, rear right
+  double thrust_factor = 1.0;
 };
 
 /// How far off the start node the vehicle is placed, drawn from the seed within these bounds.
@@ -68,6 +80,7 @@ struct Settings {
   SensorSettings sensors;
   WindSettings wind;
   StartSettings start;
+  WeakMotorSettings weak_motor;
   vehicle::AirframeParameters airframe;
   vehicle::AutopilotOptions autopilot;
   servo::LawOptions laws;

@@ -75,8 +75,8 @@ TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& 
           truth.w_B,        executive.phase(), static_cast<int>(executive.step())};
 }
 
-std::unique_ptr<vehicle::Wind> make_wind(const WindSettings& wind) {
-  return std::make_unique<vehicle::ConstantWind>(wind.mean_m_s, radians(wind.direction_deg));
+std::unique_ptr<vehicle::Wind> make_wind(const FlightRequest& request) {
+  return std::make_unique<vehicle::Weather>(weather_parameters(request.settings.wind), request.seed);
 }
 
 vehicle::StartPlace start_facing(const FlightRequest& request, const vehicle::Layout& floor,
@@ -92,10 +92,10 @@ const servo::Controller& controller_of(const FlightRequest& request) {
 
 Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan)
     : request_(request),
-      quadrotor_(request.settings.airframe, request.settings.autopilot,
-                 sensor_parameters(request.settings.sensors), make_wind(request.settings.wind), request.seed,
+      quadrotor_(airframe_parameters(request.settings), request.settings.autopilot,
+                 sensor_parameters(request.settings.sensors), make_wind(request), request.seed,
                  start_facing(request, floor, plan)),
-      camera_(floor, camera_options(request.settings.camera), request.seed),
+      camera_(floor, camera_options(request.settings.camera, request.seed), request.seed),
       perception_(features::CameraModel(camera_parameters(request.settings.camera)),
                   perception_options(request.settings.features, controller_of(request))),
       executive_(plan, controller_of(request).make(request.settings.laws), controller_of(request).traits,

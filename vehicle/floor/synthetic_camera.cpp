@@ -15,6 +15,8 @@ SyntheticCameraOptions valid(const SyntheticCameraOptions& options) {
     throw std::invalid_argument("camera: the frame rate must be 0.1 to 1000 Hz");
   if (!(options.latency_s >= 0.0 && options.latency_s <= 1.0))
     throw std::invalid_argument("camera: the latency must be 0 to 1 s");
+  if (!(options.mount_tilt_rad.norm() <= 0.2))
+    throw std::invalid_argument("camera: the mount's tilt must be up to 0.2 rad");
   return options;
 }
 
@@ -22,9 +24,14 @@ Time exposure(std::int64_t index, double frame_rate_hz) {
   return Time(std::llround(static_cast<double>(index) * 1e9 / frame_rate_hz));
 }
 
-Eigen::Isometry3d down_camera_X_BC() {
+// Turned by the vector (x, y, 0) in B.
+Eigen::Isometry3d mounted_X_BC(const Eigen::Vector2d& tilt_rad) {
   Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();
   X_BC.linear() = features::down_camera_R_BC();
+  const double angle_rad = tilt_rad.norm();
+  if (angle_rad == 0.0) return X_BC;
+  const Eigen::Vector3d axis_B(tilt_rad.x() / angle_rad, tilt_rad.y() / angle_rad, 0.0);
+  X_BC.linear() = Eigen::AngleAxisd(angle_rad, axis_B).toRotationMatrix() * features::down_camera_R_BC();
   return X_BC;
 }
 
@@ -35,6 +42,7 @@ SyntheticCamera::SyntheticCamera(const Layout& layout, const SyntheticCameraOpti
     : frame_rate_hz_(valid(options).frame_rate_hz),
       latency_(from_seconds(options.latency_s)),
       camera_(options.camera),
+      X_BC_(mounted_X_BC(options.mount_tilt_rad)),
       renderer_(layout, camera_),
       noise_(options.noise_sigma, seed) {}
 
@@ -46,7 +54,7 @@ void SyntheticCamera::capture(Time now, const Eigen::Isometry3d& X_WB) {
   assert(due(now));
   while (exposure(next_index_ + 1, frame_rate_hz_) <= now) ++next_index_;
   Frame frame{now, next_index_++, free_buffer()};
-  renderer_.render(X_WB * down_camera_X_BC(), frame.bgr);
+  renderer_.render(X_WB * X_BC_, frame.bgr);
   noise_.add(frame.index, frame.bgr);
   queue_.push_back(frame);
 }

@@ -20,6 +20,8 @@ struct SyntheticCameraOptions {
   double frame_rate_hz = 30.0;  ///< 0.1 … 1000
   double latency_s = 0.0;       ///< from mid-exposure to delivery, 0 … 1
   double noise_sigma = 0.0;     ///< of full scale, 0 … 0.1
+  /// How far the camera is mounted off down_camera_R_BC(): angles about x_B and y_B, up to 0.2 in all.
+  Eigen::Vector2d mount_tilt_rad = Eigen::Vector2d::Zero();
 };
 
 /// A delivered image.
@@ -29,8 +31,8 @@ struct Frame {
   cv::Mat bgr;             ///< 8-bit BGR; the camera does not write to it while it is held
 };
 
-/// The down-looking camera at the body origin, mounted as down_camera_R_BC(), over a painted floor. Frame k
-/// is exposed at k / rate and delivered a latency later.
+/// The down-looking camera at the body origin, mounted as down_camera_R_BC() but for its tilt, over a painted
+/// floor. Frame k is exposed at k / rate and delivered a latency later.
 class SyntheticCamera {
  public:
   /// Throws std::invalid_argument that names what is out of bounds in the options or unsound in the layout.
@@ -54,6 +56,7 @@ class SyntheticCamera {
   double frame_rate_hz_;
   Time latency_;
   features::CameraModel camera_;
+  Eigen::Isometry3d X_BC_;
   FloorRenderer renderer_;
   ImageNoise noise_;
   std::int64_t next_index_ = 0;

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "features/geometry/angles.h"
 #include "tests/vehicle/floor/render_oracle.h"
 #include "tests/vehicle/floor/test_layouts.h"
 
@@ -113,6 +115,28 @@ TEST(SyntheticCamera, RefusesOptionsOutOfBounds) {
   EXPECT_THROW(camera(30.0, 1.001), std::invalid_argument);
   EXPECT_THROW(camera(30.0, 0.0, 0.2), std::invalid_argument);
   EXPECT_NO_THROW(camera(1000.0, 1.0, 0.1));
+}
+
+// Turned by a about x_B, the camera sees what lies at the angle b to the right of the vehicle's foot at
+// f tan(a + b).
+TEST(SyntheticCamera, AMountThatIsOffShiftsTheImage) {
+  const double tilt_rad = features::radians(1.0);
+  SyntheticCameraOptions options = small_camera(10.0, 0.0, 0.0);
+  options.camera = {640, 480, 320.0, 320.0, 319.5, 239.5, {}};
+  options.mount_tilt_rad.x() = tilt_rad;
+  SyntheticCamera off(test::single_line({-5, 0}, {5, 0}, 0.1), options, 1);
+  off.capture(0ms, body_at(0.0, 0.0, 0.5));
+  const cv::Mat bgr = off.deliver(0ms)->bgr;
+  double sum = 0.0, moment = 0.0;
+  for (int u = 0; u < bgr.cols; ++u) {
+    const double paint = 1.0 - bgr.at<cv::Vec3b>(240, u)[0] / 120.0;
+    sum += paint;
+    moment += paint * (u - 319.5);
+  }
+  const double edge_rad = std::atan(0.05 / 0.5);
+  const double right_px = 320.0 * std::tan(tilt_rad + edge_rad),
+               left_px = 320.0 * std::tan(tilt_rad - edge_rad);
+  EXPECT_NEAR(moment / sum, 0.5 * (right_px + left_px), 0.02);
 }
 
 }  // namespace
