@@ -74,6 +74,8 @@ void SettingsTable::bind_camera(CameraSettings& c) {
   number("camera.k3", c.distortion[4], -1.0, 1.0);
   number("camera.frame_rate_hz", c.frame_rate_hz, 1.0, 240.0);
   number("camera.latency_s", c.latency_s, 0.0, 0.5);
+  number("camera.latency_jitter_s", c.latency_jitter_s, 0.0, 0.1);
+  number("camera.drop_share", c.drop_share, 0.0, 0.9);
   number("camera.latency_error_s", c.latency_error_s, 0.0, 0.1);
   number("camera.noise_levels", c.noise_levels, 0.0, 25.0);
   number("camera.mount_tilt_deg", c.mount_tilt_deg, 0.0, 10.0);

@@ -51,7 +51,7 @@ vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, s
   vehicle::SyntheticCameraOptions options;
   options.camera = camera_parameters(settings);
   options.frame_rate_hz = settings.frame_rate_hz;
-  options.latency_s = settings.latency_s;
+  options.link = {settings.latency_s, settings.latency_jitter_s, settings.drop_share};
   options.noise_sigma = settings.noise_levels / 255.0;
   options.mount_tilt_rad = mount_tilt_rad(settings.mount_tilt_deg, seed);
   return options;

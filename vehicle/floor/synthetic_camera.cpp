@@ -13,8 +13,6 @@ namespace {
 SyntheticCameraOptions valid(const SyntheticCameraOptions& options) {
   if (!(options.frame_rate_hz >= 0.1 && options.frame_rate_hz <= 1000.0))
     throw std::invalid_argument("camera: the frame rate must be 0.1 to 1000 Hz");
-  if (!(options.latency_s >= 0.0 && options.latency_s <= 1.0))
-    throw std::invalid_argument("camera: the latency must be 0 to 1 s");
   if (!(options.mount_tilt_rad.norm() <= 0.2))
     throw std::invalid_argument("camera: the mount's tilt must be up to 0.2 rad");
   return options;
@@ -40,7 +38,7 @@ Eigen::Isometry3d mounted_X_BC(const Eigen::Vector2d& tilt_rad) {
 SyntheticCamera::SyntheticCamera(const Layout& layout, const SyntheticCameraOptions& options,
                                  std::uint64_t seed)
     : frame_rate_hz_(valid(options).frame_rate_hz),
-      latency_(from_seconds(options.latency_s)),
+      link_(options.link, seed),
       camera_(options.camera),
       X_BC_(mounted_X_BC(options.mount_tilt_rad)),
       renderer_(layout, camera_),
@@ -53,19 +51,21 @@ Time SyntheticCamera::next_exposure() const {
 void SyntheticCamera::capture(Time now, const Eigen::Isometry3d& X_WB) {
   assert(due(now));
   while (exposure(next_index_ + 1, frame_rate_hz_) <= now) ++next_index_;
-  Frame frame{now, next_index_++, free_buffer()};
+  const std::int64_t index = next_index_++;
+  if (link_.loses(index)) return;
+  Frame frame{now, index, free_buffer()};
   renderer_.render(X_WB * X_BC_, frame.bgr);
   noise_.add(frame.index, frame.bgr);
-  queue_.push_back(frame);
+  queue_.push_back({frame, link_.arrival(index, now, now)});
 }
 
 Time SyntheticCamera::next_delivery() const {
-  return queue_.empty() ? Time::max() : queue_.front().stamp + latency_;
+  return queue_.empty() ? Time::max() : queue_.front().arrival;
 }
 
 std::optional<Frame> SyntheticCamera::deliver(Time now) {
   if (queue_.empty() || now < next_delivery()) return std::nullopt;
-  std::optional<Frame> frame(std::move(queue_.front()));
+  std::optional<Frame> frame(std::move(queue_.front().frame));
   queue_.pop_front();
   return frame;
 }

@@ -9,6 +9,7 @@
 
 #include "features/geometry/camera_model.h"
 #include "vehicle/floor/floor_renderer.h"
+#include "vehicle/floor/frame_link.h"
 #include "vehicle/floor/image_noise.h"
 #include "vehicle/floor/layout.h"
 #include "vehicle/time.h"
@@ -18,7 +19,7 @@ namespace lineservo::vehicle {
 struct SyntheticCameraOptions {
   features::CameraParameters camera;
   double frame_rate_hz = 30.0;  ///< 0.1 … 1000
-  double latency_s = 0.0;       ///< from mid-exposure to delivery, 0 … 1
+  FrameLinkOptions link;        ///< latency, jitter, lost frames
   double noise_sigma = 0.0;     ///< of full scale, 0 … 0.1
   /// How far the camera is mounted off down_camera_R_BC(): angles about x_B and y_B, up to 0.2 in all.
   Eigen::Vector2d mount_tilt_rad = Eigen::Vector2d::Zero();
@@ -32,7 +33,7 @@ struct Frame {
 };
 
 /// The down-looking camera at the body origin, mounted as down_camera_R_BC() but for its tilt, over a painted
-/// floor. Frame k is exposed at k / rate and delivered a latency later.
+/// floor. Frame k is exposed at k / rate and delivered a latency later, if it is not lost.
 class SyntheticCamera {
  public:
   /// Throws std::invalid_argument that names what is out of bounds in the options or unsound in the layout.
@@ -47,20 +48,25 @@ class SyntheticCamera {
   void capture(Time now, const Eigen::Isometry3d& X_WB);
   /// When the oldest frame under way becomes available; the end of time when there is none.
   Time next_delivery() const;
-  /// The oldest frame that has become available, or none.
+  /// The oldest frame that has become available, or none. Frames come in order.
   std::optional<Frame> deliver(Time now);
 
  private:
+  struct Underway {
+    Frame frame;
+    Time arrival;
+  };
+
   cv::Mat free_buffer();
 
   double frame_rate_hz_;
-  Time latency_;
+  FrameLink link_;
   features::CameraModel camera_;
   Eigen::Isometry3d X_BC_;
   FloorRenderer renderer_;
   ImageNoise noise_;
   std::int64_t next_index_ = 0;
-  std::deque<Frame> queue_;
+  std::deque<Underway> queue_;
   std::vector<cv::Mat> buffers_;
 };
 

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "features/geometry/angles.h"
 #include "tests/vehicle/floor/render_oracle.h"
@@ -26,7 +27,7 @@ SyntheticCameraOptions small_camera(double frame_rate_hz, double latency_s, doub
   SyntheticCameraOptions options;
   options.camera = {64, 48, 32.0, 32.0, 31.5, 23.5, {}};
   options.frame_rate_hz = frame_rate_hz;
-  options.latency_s = latency_s;
+  options.link.latency_s = latency_s;
   options.noise_sigma = noise_sigma;
   return options;
 }
@@ -61,6 +62,26 @@ TEST(SyntheticCamera, DeliversALatencyAfterTheExposureInOrder) {
   EXPECT_FALSE(cam.deliver(25ms).has_value());
   EXPECT_EQ(cam.deliver(50ms)->stamp, Time(10ms));
   EXPECT_EQ(cam.deliver(50ms)->index, 2);
+}
+
+TEST(SyntheticCamera, LostFramesAreNotDeliveredAndTheOthersKeepTheirNumbers) {
+  SyntheticCameraOptions options = small_camera(100.0, 0.025, 0.0);
+  options.link.jitter_s = 0.02;
+  options.link.drop_share = 0.3;
+  SyntheticCamera cam(test::warehouse(), options, 4);
+  const FrameLink link(options.link, 4);
+  std::vector<std::int64_t> expected, delivered;
+  for (int k = 0; k < 200; ++k) {
+    cam.capture(k * 10ms, body_at(4.2, 0.6, 0.5));
+    if (!link.loses(k)) expected.push_back(k);
+    while (const std::optional<Frame> frame = cam.deliver((k + 1) * 10ms - 1ns)) {
+      EXPECT_EQ(frame->stamp, frame->index * 10ms);
+      delivered.push_back(frame->index);
+    }
+  }
+  while (const std::optional<Frame> frame = cam.deliver(3s)) delivered.push_back(frame->index);
+  EXPECT_EQ(delivered, expected);
+  EXPECT_LT(expected.size(), 180U);
 }
 
 TEST(SyntheticCamera, SkipsExposuresThatWereMissed) {
