@@ -10,6 +10,7 @@
 #include "vehicle/autopilot/options.h"
 #include "vehicle/body/airframe.h"
 #include "vehicle/body/weather.h"
+#include "vehicle/floor/floor_renderer.h"
 
 namespace lineservo::apps {
 
@@ -37,6 +38,9 @@ struct FeatureSettings {
   bool tilt_correction = true;
   double arc_half_widths = 1.6;  ///< radius of the target point's arc, in halves of the stripe's width
 };
+
+/// How the floor looks to the camera; the names in the files are those of the options.
+using FloorSettings = vehicle::FloorLook;
 
 /// As in the files: degrees where the key says so.
 struct SensorSettings {
@@ -78,6 +82,7 @@ struct Settings {
   double height_m = 0.5;
   double time_limit_s = 900.0;
   CameraSettings camera;
+  FloorSettings floor;
   FeatureSettings features;
   SensorSettings sensors;
   WindSettings wind;

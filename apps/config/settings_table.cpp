@@ -35,6 +35,7 @@ SettingsTable::SettingsTable(Settings& settings) {
   bind_general(settings);
   bind_wind(settings.wind);
   bind_camera(settings.camera);
+  bind_floor(settings.floor);
   bind_features(settings.features);
   bind_sensors(settings.sensors);
   bind_vehicle(settings.airframe);
@@ -79,6 +80,23 @@ void SettingsTable::bind_camera(CameraSettings& c) {
   number("camera.latency_error_s", c.latency_error_s, 0.0, 0.1);
   number("camera.noise_levels", c.noise_levels, 0.0, 25.0);
   number("camera.mount_tilt_deg", c.mount_tilt_deg, 0.0, 10.0);
+}
+
+void SettingsTable::bind_floor(FloorSettings& f) {
+  number("floor.worn_share", f.wear.worn_share, 0.0, 0.9);
+  number("floor.gap_m", f.wear.gap_m, 0.0, 1.0);
+  number("floor.gap_every_m", f.wear.gap_every_m, 0.2, 1000.0);
+  number("floor.dirt_share", f.wear.dirt_share, 0.0, 0.5);
+  number("floor.objects_per_m2", f.wear.objects_per_m2, 0.0, 20.0);
+  number("light.low", f.light.low, 0.05, 2.0);
+  number("light.high", f.light.high, 0.05, 2.0);
+  number("light.wavelength_m", f.light.wavelength_m, 0.5, 100.0);
+  number("light.glare", f.light.glare, 0.0, 1.0);
+  number("light.glare_radius_m", f.light.glare_radius_m, 0.02, 1.0);
+  number("light.glare_every_m", f.light.glare_every_m, 1.0, 100.0);
+  number("light.shadow", f.light.shadow, 0.0, 0.9);
+  number("light.shadow_radius_m", f.light.shadow_radius_m, 0.02, 2.0);
+  number("light.shadow_offset", f.light.shadow_offset, 0.0, 2.0);
 }
 
 void SettingsTable::bind_features(FeatureSettings& f) {

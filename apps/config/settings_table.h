@@ -37,6 +37,7 @@ class SettingsTable {
   void bind_general(Settings& s);
   void bind_wind(WindSettings& w);
   void bind_camera(CameraSettings& c);
+  void bind_floor(FloorSettings& f);
   void bind_features(FeatureSettings& f);
   void bind_sensors(SensorSettings& s);
   void bind_vehicle(vehicle::AirframeParameters& a);

@@ -47,9 +47,11 @@ features::CameraParameters camera_parameters(const CameraSettings& settings) {
   return camera;
 }
 
-vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, std::uint64_t seed) {
+vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, const FloorSettings& floor,
+                                               std::uint64_t seed) {
   vehicle::SyntheticCameraOptions options;
   options.camera = camera_parameters(settings);
+  options.look = floor;
   options.frame_rate_hz = settings.frame_rate_hz;
   options.link = {settings.latency_s, settings.latency_jitter_s, settings.drop_share};
   options.noise_sigma = settings.noise_levels / 255.0;

@@ -14,7 +14,8 @@ namespace lineservo::apps {
 
 features::CameraParameters camera_parameters(const CameraSettings& settings);
 /// The seed says to which side the camera is mounted off.
-vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, std::uint64_t seed);
+vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, const FloorSettings& floor,
+                                               std::uint64_t seed);
 vehicle::SensorParameters sensor_parameters(const SensorSettings& settings);
 vehicle::WeatherParameters weather_parameters(const WindSettings& settings);
 vehicle::AirframeParameters airframe_parameters(const Settings& settings);

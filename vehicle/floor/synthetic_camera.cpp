@@ -41,7 +41,7 @@ SyntheticCamera::SyntheticCamera(const Layout& layout, const SyntheticCameraOpti
       link_(options.link, seed),
       camera_(options.camera),
       X_BC_(mounted_X_BC(options.mount_tilt_rad)),
-      renderer_(layout, camera_),
+      renderer_(layout, camera_, options.look, seed),
       noise_(options.noise_sigma, seed) {}
 
 Time SyntheticCamera::next_exposure() const {

@@ -19,8 +19,9 @@ namespace lineservo::vehicle {
 struct SyntheticCameraOptions {
   features::CameraParameters camera;
   double frame_rate_hz = 30.0;  ///< 0.1 … 1000
-  FrameLinkOptions link;        ///< latency, jitter, lost frames
-  double noise_sigma = 0.0;     ///< of full scale, 0 … 0.1
+  FloorLook look;
+  FrameLinkOptions link;     ///< latency, jitter, lost frames
+  double noise_sigma = 0.0;  ///< of full scale, 0 … 0.1
   /// How far the camera is mounted off down_camera_R_BC(): angles about x_B and y_B, up to 0.2 in all.
   Eigen::Vector2d mount_tilt_rad = Eigen::Vector2d::Zero();
 };
