@@ -24,8 +24,9 @@ struct CameraSettings {
   double latency_jitter_s = 0.0;  ///< bound of how far a frame is off the latency
   double drop_share = 0.0;        ///< of the frames, lost on the way
   double latency_error_s = 0.0;   ///< bound of what the law takes the latency for, less what it is
-  double noise_levels = 0.0;      ///< standard deviation, in levels of 255
-  double mount_tilt_deg = 0.0;    ///< off its place, towards a side that the seed says
+  vehicle::ShutterOptions shutter;
+  double noise_levels = 0.0;    ///< standard deviation, in levels of 255
+  double mount_tilt_deg = 0.0;  ///< off its place, towards a side that the seed says
 };
 
 struct FeatureSettings {

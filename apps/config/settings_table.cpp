@@ -78,6 +78,9 @@ void SettingsTable::bind_camera(CameraSettings& c) {
   number("camera.latency_jitter_s", c.latency_jitter_s, 0.0, 0.1);
   number("camera.drop_share", c.drop_share, 0.0, 0.9);
   number("camera.latency_error_s", c.latency_error_s, 0.0, 0.1);
+  number("camera.exposure_s", c.shutter.exposure_s, 0.0, 0.1);
+  whole("camera.exposure_samples", c.shutter.samples, 1, vehicle::ShutterOptions::kMostSamples);
+  number("camera.readout_s", c.shutter.readout_s, 0.0, 0.1);
   number("camera.noise_levels", c.noise_levels, 0.0, 25.0);
   number("camera.mount_tilt_deg", c.mount_tilt_deg, 0.0, 10.0);
 }

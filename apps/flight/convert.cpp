@@ -52,6 +52,7 @@ vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, c
   vehicle::SyntheticCameraOptions options;
   options.camera = camera_parameters(settings);
   options.look = floor;
+  options.shutter = settings.shutter;
   options.frame_rate_hz = settings.frame_rate_hz;
   options.link = {settings.latency_s, settings.latency_jitter_s, settings.drop_share};
   options.noise_sigma = settings.noise_levels / 255.0;

@@ -67,6 +67,13 @@ Time draw_known_latency(const FlightRequest& request) {
       std::max(0.0, camera.latency_s + random.uniform(-camera.latency_error_s, camera.latency_error_s)));
 }
 
+Eigen::Isometry3d pose_of(const vehicle::BodyState& state) {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = state.q_WB.toRotationMatrix();
+  X_WB.translation() = state.p_WB;
+  return X_WB;
+}
+
 TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& executive) {
   const vehicle::BodyState& truth = quadrotor.truth();
   const vehicle::RollPitchYaw angles = vehicle::roll_pitch_yaw(truth.q_WB);
@@ -128,6 +135,7 @@ void Flight::advance() {
       std::min({quadrotor_.now() + kEstimatePeriod, camera_.next_exposure(), camera_.next_delivery()});
   do {
     quadrotor_.step();
+    if (camera_.follows_motion()) camera_.move(quadrotor_.now(), pose_of(quadrotor_.truth()));
     sample_truth();
   } while (quadrotor_.now() < until);
   const vehicle::Estimate& estimate = quadrotor_.estimate();
@@ -139,13 +147,14 @@ void Flight::sample_truth() {
 }
 
 void Flight::expose() {
-  if (!camera_.due(quadrotor_.now())) return;
-  const Stopwatch watch(record_.timing.render);
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = quadrotor_.truth().q_WB.toRotationMatrix();
-  X_WB.translation() = quadrotor_.truth().p_WB;
-  camera_.capture(quadrotor_.now(), X_WB);
-  exposures_.push_back(sample(quadrotor_, executive_));
+  if (camera_.due(quadrotor_.now())) {
+    camera_.capture(quadrotor_.now(), pose_of(quadrotor_.truth()));
+    exposures_.push_back(sample(quadrotor_, executive_));
+  }
+  while (camera_.has_exposed(quadrotor_.now())) {
+    const Stopwatch watch(record_.timing.render);
+    camera_.develop();
+  }
 }
 
 // observe → decide and compute → send → log

@@ -1,11 +1,10 @@
 #include "vehicle/floor/floor_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <stdexcept>
-
-#include "vehicle/floor/tile_painter.h"
 
 namespace lineservo::vehicle {
 namespace {
@@ -58,9 +57,20 @@ FloorRenderer::FloorRenderer(const Layout& layout, const features::CameraModel& 
       light_(camera, look.light, seed) {}
 
 void FloorRenderer::render(const Eigen::Isometry3d& X_WC, cv::Mat& bgr) {
+  shutter_ = nullptr;
+  draw(X_WC, bgr);
+}
+
+void FloorRenderer::render(const ShutterWarp::Motion& X_WC, ShutterWarp& shutter, cv::Mat& bgr) {
+  shutter.follow(X_WC);
+  shutter_ = &shutter;
+  draw(X_WC(0.0), bgr);
+}
+
+void FloorRenderer::draw(const Eigen::Isometry3d& X_WC, cv::Mat& bgr) {
   bgr.create(grid_.height_px(), grid_.width_px(), CV_8UC3);
   look_from(X_WC);
-  narrow(scene_, grid_.frame_rect(), frame_);
+  narrow(scene_, shutter_ ? shutter_->frame_rect() : grid_.frame_rect(), frame_);
   for (int row = 0; row < grid_.rows(); ++row) {
     render_row(row, bgr);
     if (light_.is_needed())
@@ -134,21 +144,37 @@ void FloorRenderer::add(const Bgr& colour, const ImageBorder* first, const Image
   scene_.shapes.push_back(shape);
 }
 
+const RayRect& FloorRenderer::tile_rect(int row, int column) const {
+  return shutter_ ? shutter_->tile_rect(row, column) : grid_.tile_rect(row, column);
+}
+
+void FloorRenderer::paint(int row, int column, TilePixels& pixels) const {
+  if (!shutter_) return paint_tile(grid_.rays(row, column), tile_, pixels);
+  std::array<ShutterWarp::Rays, ShutterOptions::kMostSamples> moved;
+  std::array<TileRays, ShutterOptions::kMostSamples> instants;
+  for (int k = 0; k < shutter_->samples(); ++k) {
+    ShutterWarp::Rays& rays = moved[static_cast<std::size_t>(k)];
+    shutter_->rays(row, column, k, rays);
+    instants[static_cast<std::size_t>(k)] = {rays.x, rays.y, rays.slope};
+  }
+  paint_tile(instants.data(), shutter_->samples(), tile_, pixels);
+}
+
 // Runs of flat tiles of one colour are filled in one go.
 void FloorRenderer::render_row(int row, cv::Mat& bgr) {
-  narrow(frame_, grid_.row_rect(row), row_);
+  narrow(frame_, shutter_ ? shutter_->row_rect(row) : grid_.row_rect(row), row_);
   TilePixels pixels;
   int run_begin = 0;
   Bgr run_colour = row_.base;
   const auto end_run = [&](int column) { fill(block_of(bgr, row, run_begin, column), run_colour, bgr); };
   for (int column = 0; column < grid_.columns(); ++column) {
-    narrow(row_, grid_.tile_rect(row, column), tile_);
+    narrow(row_, tile_rect(row, column), tile_);
     if (tile_.is_flat() && tile_.base == run_colour) continue;
     end_run(column);
     run_begin = column;
     run_colour = tile_.base;
     if (tile_.is_flat()) continue;
-    paint_tile(grid_.rays(row, column), tile_, pixels);
+    paint(row, column, pixels);
     copy(pixels, block_of(bgr, row, column, column + 1), bgr);
     run_begin = column + 1;
   }

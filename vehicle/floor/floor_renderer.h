@@ -10,7 +10,9 @@
 #include "vehicle/floor/layout.h"
 #include "vehicle/floor/light_pass.h"
 #include "vehicle/floor/paint.h"
+#include "vehicle/floor/shutter.h"
 #include "vehicle/floor/tile_grid.h"
+#include "vehicle/floor/tile_painter.h"
 
 namespace lineservo::vehicle {
 
@@ -35,8 +37,16 @@ class FloorRenderer {
   /// that do not meet the floor within 100 heights show sky. `bgr` keeps its memory when it has the right
   /// size.
   void render(const Eigen::Isometry3d& X_WC, cv::Mat& bgr);
+  /// The image of an exposure that takes its time, from the motion of the camera about mid-exposure. Light
+  /// and shadow, which are soft, are those of mid-exposure.
+  void render(const ShutterWarp::Motion& X_WC, ShutterWarp& shutter, cv::Mat& bgr);
+
+  const TileGrid& grid() const { return grid_; }
 
  private:
+  void draw(const Eigen::Isometry3d& X_WC, cv::Mat& bgr);
+  const RayRect& tile_rect(int row, int column) const;
+  void paint(int row, int column, TilePixels& pixels) const;
   void look_from(const Eigen::Isometry3d& X_WC);
   void add_paint(const FloorView& view, std::size_t first, std::size_t last);
   void add_decals(const FloorView& view, const std::vector<const PaintShape*>& decals);
@@ -56,6 +66,7 @@ class FloorRenderer {
   std::vector<ImageBorder> borders_;
   ImageBorder* next_border_ = nullptr;
   Cell scene_, frame_, row_, tile_;
+  const ShutterWarp* shutter_ = nullptr;  ///< of the exposure at hand; none when it takes no time
 };
 
 }  // namespace lineservo::vehicle

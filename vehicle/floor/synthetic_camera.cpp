@@ -1,5 +1,6 @@
 #include "vehicle/floor/synthetic_camera.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -15,6 +16,7 @@ SyntheticCameraOptions valid(const SyntheticCameraOptions& options) {
     throw std::invalid_argument("camera: the frame rate must be 0.1 to 1000 Hz");
   if (!(options.mount_tilt_rad.norm() <= 0.2))
     throw std::invalid_argument("camera: the mount's tilt must be up to 0.2 rad");
+  options.shutter.validate();
   return options;
 }
 
@@ -41,7 +43,10 @@ SyntheticCamera::SyntheticCamera(const Layout& layout, const SyntheticCameraOpti
       link_(options.link, seed),
       camera_(options.camera),
       X_BC_(mounted_X_BC(options.mount_tilt_rad)),
-      renderer_(layout, camera_, options.look, seed),
+      renderer_(std::make_unique<FloorRenderer>(layout, camera_, options.look, seed)),
+      shutter_(options.shutter),
+      half_window_(from_seconds(shutter_.half_window_s())),
+      warp_(shutter_.is_instant() ? nullptr : std::make_unique<ShutterWarp>(renderer_->grid(), shutter_)),
       noise_(options.noise_sigma, seed) {}
 
 Time SyntheticCamera::next_exposure() const {
@@ -53,10 +58,41 @@ void SyntheticCamera::capture(Time now, const Eigen::Isometry3d& X_WB) {
   while (exposure(next_index_ + 1, frame_rate_hz_) <= now) ++next_index_;
   const std::int64_t index = next_index_++;
   if (link_.loses(index)) return;
-  Frame frame{now, index, free_buffer()};
-  renderer_.render(X_WB * X_BC_, frame.bgr);
+  const Time exposed = now + half_window_;
+  queue_.push_back({{now, index, {}}, link_.arrival(index, now, exposed), exposed, X_WB});
+}
+
+void SyntheticCamera::move(Time now, const Eigen::Isometry3d& X_WB) {
+  const auto waiting =
+      std::find_if(queue_.begin(), queue_.end(), [](const Underway& u) { return !u.is_drawn; });
+  track_.forget_before(std::min(now, waiting == queue_.end() ? now : waiting->frame.stamp) - half_window_);
+  track_.add(now, X_WB);
+}
+
+bool SyntheticCamera::has_exposed(Time now) const {
+  return std::any_of(queue_.begin(), queue_.end(),
+                     [now](const Underway& u) { return !u.is_drawn && u.exposed <= now; });
+}
+
+void SyntheticCamera::develop() {
+  const auto waiting =
+      std::find_if(queue_.begin(), queue_.end(), [](const Underway& u) { return !u.is_drawn; });
+  if (waiting != queue_.end()) draw(*waiting);
+}
+
+void SyntheticCamera::draw(Underway& underway) {
+  Frame& frame = underway.frame;
+  frame.bgr = free_buffer();
+  if (warp_) {
+    const auto X_WC = [&](double delay_s) -> Eigen::Isometry3d {
+      return track_.at(frame.stamp + from_seconds(delay_s)) * X_BC_;
+    };
+    renderer_->render(X_WC, *warp_, frame.bgr);
+  } else {
+    renderer_->render(underway.X_WB * X_BC_, frame.bgr);
+  }
   noise_.add(frame.index, frame.bgr);
-  queue_.push_back({frame, link_.arrival(index, now, now)});
+  underway.is_drawn = true;
 }
 
 Time SyntheticCamera::next_delivery() const {
@@ -65,6 +101,7 @@ Time SyntheticCamera::next_delivery() const {
 
 std::optional<Frame> SyntheticCamera::deliver(Time now) {
   if (queue_.empty() || now < next_delivery()) return std::nullopt;
+  if (!queue_.front().is_drawn) draw(queue_.front());
   std::optional<Frame> frame(std::move(queue_.front().frame));
   queue_.pop_front();
   return frame;

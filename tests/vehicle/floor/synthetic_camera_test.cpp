@@ -93,6 +93,38 @@ TEST(SyntheticCamera, SkipsExposuresThatWereMissed) {
   EXPECT_EQ(cam.next_exposure(), Time(40ms));
 }
 
+// The middle row is exposed from 4 ms before the stamp to 4 ms after it: over the true way, not after it.
+TEST(SyntheticCamera, AnOpenShutterIsFollowedToItsEndAndStampedInItsMiddle) {
+  SyntheticCameraOptions options = small_camera(50.0, 0.002, 0.0);
+  options.shutter.exposure_s = 0.008;
+  options.shutter.readout_s = 0.004;
+  SyntheticCamera cam(test::warehouse(), options, 1);
+  ASSERT_TRUE(cam.follows_motion());
+  const auto pose_at = [](Time t) { return body_at(4.2 + 2.0 * seconds(t), 0.6, 0.5); };
+  for (Time now = 0ms; now < 26ms; now += 1ms) {
+    cam.move(now, pose_at(now));
+    if (cam.due(now)) cam.capture(now, pose_at(now));
+    EXPECT_EQ(cam.has_exposed(now), now == Time(6ms));
+    if (cam.has_exposed(now)) cam.develop();
+    if (now == 6ms) EXPECT_EQ(cam.deliver(now)->stamp, Time(0));
+  }
+  cam.move(26ms, pose_at(26ms));
+  EXPECT_TRUE(cam.has_exposed(26ms));
+  const std::optional<Frame> frame = cam.deliver(26ms);
+  EXPECT_EQ(frame->stamp, Time(20ms));
+  FloorRenderer renderer(test::warehouse(), features::CameraModel(options.camera));
+  ShutterWarp warp(renderer.grid(), options.shutter);
+  cv::Mat expected;
+  renderer.render(
+      [&](double t_s) {
+        Eigen::Isometry3d X = pose_at(20ms + from_seconds(t_s));
+        X.linear() = features::down_camera_R_BC();
+        return X;
+      },
+      warp, expected);
+  EXPECT_LE(cv::norm(frame->bgr, expected, cv::NORM_INF), 1.0);
+}
+
 TEST(SyntheticCamera, TheTopOfTheImageIsForward) {
   SyntheticCamera cam = camera(10.0, 0.0);
   // 0.5 m short of column 1 facing it: the column lies ahead, at the top; row 0 is in the middle.
