@@ -59,7 +59,8 @@ struct SensorSettings {
 
 struct WindSettings {
   double mean_m_s = 0.0;
-  double direction_deg = 0.0;  ///< where it blows to, from +x
+  double direction_deg = 0.0;         ///< where it blows to, from +x
+  double direction_spread_deg = 0.0;  ///< bound of how far off that, drawn from the seed
   double turbulence_m_s = 0.0;
   double turbulence_height_m = 0.5;
   vehicle::GustParameters gust;

@@ -57,6 +57,7 @@ void SettingsTable::bind_general(Settings& s) {
 void SettingsTable::bind_wind(WindSettings& w) {
   number("wind.mean_m_s", w.mean_m_s, 0.0, 10.0);
   number("wind.direction_deg", w.direction_deg, -360.0, 360.0);
+  number("wind.direction_spread_deg", w.direction_spread_deg, 0.0, 180.0);
   number("wind.turbulence_m_s", w.turbulence_m_s, 0.0, 5.0);
   number("wind.turbulence_height_m", w.turbulence_height_m, 0.1, 300.0);
   number("wind.gust.speed_m_s", w.gust.speed_m_s, -10.0, 10.0);

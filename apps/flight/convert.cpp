@@ -11,7 +11,8 @@ namespace {
 
 using features::radians;
 
-constexpr std::uint64_t kMountStream = 1002;  ///< of the flight's seed; see flight.cpp for its neighbours
+// Of the flight's seed; flight.cpp has the two before.
+constexpr std::uint64_t kMountStream = 1002, kWindStream = 1003;
 
 vehicle::Setpoint convert(const servo::VelocityCommand& c) {
   return vehicle::VelocitySetpoint{{c.forward_m_s, c.left_m_s, c.up_m_s}, c.yaw_rate_rad_s};
@@ -75,10 +76,14 @@ vehicle::SensorParameters sensor_parameters(const SensorSettings& settings) {
   return sensors;
 }
 
-vehicle::WeatherParameters weather_parameters(const WindSettings& settings) {
+vehicle::WeatherParameters weather_parameters(const WindSettings& settings, std::uint64_t seed) {
   vehicle::WeatherParameters weather;
   weather.mean_m_s = settings.mean_m_s;
   weather.direction_rad = radians(settings.direction_deg);
+  if (settings.direction_spread_deg > 0.0) {
+    const double spread_rad = radians(settings.direction_spread_deg);
+    weather.direction_rad += vehicle::Random(seed, kWindStream).uniform(-spread_rad, spread_rad);
+  }
   weather.turbulence_m_s = settings.turbulence_m_s;
   weather.turbulence_height_m = settings.turbulence_height_m;
   weather.gust = settings.gust;

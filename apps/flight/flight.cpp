@@ -83,7 +83,7 @@ TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& 
 }
 
 std::unique_ptr<vehicle::Wind> make_wind(const FlightRequest& request) {
-  return std::make_unique<vehicle::Weather>(weather_parameters(request.settings.wind), request.seed);
+  return std::make_unique<vehicle::Weather>(weather_parameters(request.settings.wind, request.seed), request.seed);
 }
 
 vehicle::StartPlace start_facing(const FlightRequest& request, const vehicle::Layout& floor,
