@@ -43,7 +43,7 @@ class Quadrotor::Impl {
   Impl(const AirframeParameters& airframe, const AutopilotOptions& options,
        const SensorParameters& parameters, std::unique_ptr<Wind> wind_or_none, std::uint64_t seed,
        const StartPlace& start)
-      : dynamics(airframe, standing_at(start, airframe)),
+      : dynamics(airframe.loaded(), standing_at(start, airframe)),
         wind(or_still_air(std::move(wind_or_none))),
         sensors(parameters, seed, dynamics.state()),
         estimator(parameters, sensors.sample(Time(0), dynamics.state())),

@@ -9,6 +9,8 @@
 #include "servo/law/controllers.h"
 #include "vehicle/autopilot/options.h"
 #include "vehicle/body/airframe.h"
+#include "vehicle/body/weather.h"
+#include "vehicle/floor/floor_renderer.h"
 
 namespace lineservo::apps {
 
@@ -19,8 +21,12 @@ struct CameraSettings {
   std::array<double, 5> distortion = {0.0, 0.0, 0.0, 0.0, 0.0};  ///< k1, k2, p1, p2, k3
   double frame_rate_hz = 30.0;
   double latency_s = 0.0;
-  double latency_error_s = 0.0;  ///< bound of what the law takes the latency for, less what it is
-  double noise_levels = 0.0;     ///< standard deviation, in levels of 255
+  double latency_jitter_s = 0.0;  ///< bound of how far a frame is off the latency
+  double drop_share = 0.0;        ///< of the frames, lost on the way
+  double latency_error_s = 0.0;   ///< bound of what the law takes the latency for, less what it is
+  vehicle::ShutterOptions shutter;
+  double noise_levels = 0.0;    ///< standard deviation, in levels of 255
+  double mount_tilt_deg = 0.0;  ///< off its place, towards a side that the seed says
 };
 
 struct FeatureSettings {
@@ -35,6 +41,9 @@ struct FeatureSettings {
   double arc_half_widths = 1.6;  ///< radius of the target point's arc, in halves of the stripe's width
 };
 
+/// How the floor looks to the camera; the names in the files are those of the options.
+using FloorSettings = vehicle::FloorLook;
+
 /// As in the files: degrees where the key says so.
 struct SensorSettings {
   double gyro_sigma_deg_s = 0.0;
@@ -45,12 +54,23 @@ struct SensorSettings {
   double tilt_bias_deg = 0.0;
   double velocity_sigma_m_s = 0.0;
   double velocity_bias_m_s = 0.0;
+  double velocity_bias_start_m_s = 0.0;
   double range_sigma_m = 0.0;
 };
 
 struct WindSettings {
   double mean_m_s = 0.0;
-  double direction_deg = 0.0;  ///< where it blows to, from +x
+  double direction_deg = 0.0;         ///< where it blows to, from +x
+  double direction_spread_deg = 0.0;  ///< bound of how far off that, drawn from the seed
+  double turbulence_m_s = 0.0;
+  double turbulence_height_m = 0.5;
+  vehicle::GustParameters gust;
+};
+
+/// One motor that is weaker than the others.
+struct WeakMotorSettings {
+  int rotor = 1;  ///< front right, rear left, front left, rear right
+  double thrust_factor = 1.0;
 };
 
 /// How far off the start node the vehicle is placed, drawn from the seed within these bounds.
@@ -65,10 +85,12 @@ struct Settings {
   double height_m = 0.5;
   double time_limit_s = 900.0;
   CameraSettings camera;
+  FloorSettings floor;
   FeatureSettings features;
   SensorSettings sensors;
   WindSettings wind;
   StartSettings start;
+  WeakMotorSettings weak_motor;
   vehicle::AirframeParameters airframe;
   vehicle::AutopilotOptions autopilot;
   servo::LawOptions laws;

@@ -46,10 +46,15 @@ std::string nearest_keys(const std::vector<Setting>& table, const std::string& u
 
 SettingsTable::SettingsTable(Settings& settings) {
   bind_general(settings);
+  bind_wind(settings.wind);
   bind_camera(settings.camera);
+  bind_floor(settings.floor);
   bind_features(settings.features);
   bind_sensors(settings.sensors);
-  bind_vehicle(settings.airframe, settings.autopilot);
+  bind_vehicle(settings.airframe);
+  whole("vehicle.weak_motor.rotor", settings.weak_motor.rotor, 1, vehicle::kRotors);
+  number("vehicle.weak_motor.thrust_factor", settings.weak_motor.thrust_factor, 0.3, 1.0);
+  bind_autopilot(settings.autopilot);
   bind_laws(settings.laws);
   bind_executive(settings.executive);
 }
@@ -58,10 +63,19 @@ void SettingsTable::bind_general(Settings& s) {
   number("speed_m_s", s.speed_m_s, 0.01, 2.0);
   number("height_m", s.height_m, 0.2, 3.0);
   number("time_limit_s", s.time_limit_s, 1.0, 36000.0);
-  number("wind.mean_m_s", s.wind.mean_m_s, 0.0, 10.0);
-  number("wind.direction_deg", s.wind.direction_deg, -360.0, 360.0);
   number("start.position_spread_m", s.start.position_spread_m, 0.0, 0.5);
   number("start.heading_spread_deg", s.start.heading_spread_deg, 0.0, 30.0);
+}
+
+void SettingsTable::bind_wind(WindSettings& w) {
+  number("wind.mean_m_s", w.mean_m_s, 0.0, 10.0);
+  number("wind.direction_deg", w.direction_deg, -360.0, 360.0);
+  number("wind.direction_spread_deg", w.direction_spread_deg, 0.0, 180.0);
+  number("wind.turbulence_m_s", w.turbulence_m_s, 0.0, 5.0);
+  number("wind.turbulence_height_m", w.turbulence_height_m, 0.1, 300.0);
+  number("wind.gust.speed_m_s", w.gust.speed_m_s, -10.0, 10.0);
+  number("wind.gust.start_s", w.gust.start_s, 0.0, 3600.0);
+  number("wind.gust.duration_s", w.gust.duration_s, 0.1, 60.0);
 }
 
 void SettingsTable::bind_camera(CameraSettings& c) {
@@ -75,8 +89,31 @@ void SettingsTable::bind_camera(CameraSettings& c) {
   number("camera.k3", c.distortion[4], -1.0, 1.0);
   number("camera.frame_rate_hz", c.frame_rate_hz, 1.0, 240.0);
   number("camera.latency_s", c.latency_s, 0.0, 0.5);
+  number("camera.latency_jitter_s", c.latency_jitter_s, 0.0, 0.1);
+  number("camera.drop_share", c.drop_share, 0.0, 0.9);
   number("camera.latency_error_s", c.latency_error_s, 0.0, 0.1);
+  number("camera.exposure_s", c.shutter.exposure_s, 0.0, 0.1);
+  whole("camera.exposure_samples", c.shutter.samples, 1, vehicle::ShutterOptions::kMostSamples);
+  number("camera.readout_s", c.shutter.readout_s, 0.0, 0.1);
   number("camera.noise_levels", c.noise_levels, 0.0, 25.0);
+  number("camera.mount_tilt_deg", c.mount_tilt_deg, 0.0, 10.0);
+}
+
+void SettingsTable::bind_floor(FloorSettings& f) {
+  number("floor.worn_share", f.wear.worn_share, 0.0, 0.9);
+  number("floor.gap_m", f.wear.gap_m, 0.0, 1.0);
+  number("floor.gap_every_m", f.wear.gap_every_m, 0.2, 1000.0);
+  number("floor.dirt_share", f.wear.dirt_share, 0.0, 0.5);
+  number("floor.objects_per_m2", f.wear.objects_per_m2, 0.0, 20.0);
+  number("light.low", f.light.low, 0.05, 2.0);
+  number("light.high", f.light.high, 0.05, 2.0);
+  number("light.wavelength_m", f.light.wavelength_m, 0.5, 100.0);
+  number("light.glare", f.light.glare, 0.0, 1.0);
+  number("light.glare_radius_m", f.light.glare_radius_m, 0.02, 1.0);
+  number("light.glare_every_m", f.light.glare_every_m, 1.0, 100.0);
+  number("light.shadow", f.light.shadow, 0.0, 0.9);
+  number("light.shadow_radius_m", f.light.shadow_radius_m, 0.02, 2.0);
+  number("light.shadow_offset", f.light.shadow_offset, 0.0, 2.0);
 }
 
 void SettingsTable::bind_features(FeatureSettings& f) {
@@ -107,10 +144,11 @@ void SettingsTable::bind_sensors(SensorSettings& s) {
   number("sensors.tilt_bias_deg", s.tilt_bias_deg, 0.0, 5.0);
   number("sensors.velocity_sigma_m_s", s.velocity_sigma_m_s, 0.0, 1.0);
   number("sensors.velocity_bias_m_s", s.velocity_bias_m_s, 0.0, 0.5);
+  number("sensors.velocity_bias_start_m_s", s.velocity_bias_start_m_s, 0.0, 0.5);
   number("sensors.range_sigma_m", s.range_sigma_m, 0.0, 0.5);
 }
 
-void SettingsTable::bind_vehicle(vehicle::AirframeParameters& a, vehicle::AutopilotOptions& o) {
+void SettingsTable::bind_vehicle(vehicle::AirframeParameters& a) {
   number("vehicle.mass_kg", a.mass_kg, 0.02, 20.0);
   number("vehicle.inertia_x_kg_m2", a.inertia_kg_m2.x(), 1e-6, 5.0);
   number("vehicle.inertia_y_kg_m2", a.inertia_kg_m2.y(), 1e-6, 5.0);
@@ -123,6 +161,10 @@ void SettingsTable::bind_vehicle(vehicle::AirframeParameters& a, vehicle::Autopi
   number("vehicle.motor_lag_down_s", a.motor_lag_down_s, 1e-4, 0.5);
   number("vehicle.rotor_radius_m", a.rotor_radius_m, 0.01, 1.0);
   number("vehicle.body_drag_area_m2", a.body_drag_area_m2, 0.0, 1.0);
+  number("vehicle.mass_factor", a.load_factor, 0.5, 2.0);
+}
+
+void SettingsTable::bind_autopilot(vehicle::AutopilotOptions& o) {
   number("vehicle.believed_mass_ratio", o.believed_mass_ratio, 0.5, 2.0);
   number("limits.tilt_rad", o.limits.max_tilt_rad, 0.05, 0.8);
   number("limits.horizontal_speed_m_s", o.limits.max_horizontal_speed_m_s, 0.1, 10.0);

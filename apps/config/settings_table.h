@@ -35,10 +35,13 @@ class SettingsTable {
 
  private:
   void bind_general(Settings& s);
+  void bind_wind(WindSettings& w);
   void bind_camera(CameraSettings& c);
+  void bind_floor(FloorSettings& f);
   void bind_features(FeatureSettings& f);
   void bind_sensors(SensorSettings& s);
-  void bind_vehicle(vehicle::AirframeParameters& a, vehicle::AutopilotOptions& o);
+  void bind_vehicle(vehicle::AirframeParameters& a);
+  void bind_autopilot(vehicle::AutopilotOptions& o);
   void bind_laws(servo::LawOptions& l);
   void bind_ibvs(servo::IbvsLineOptions& o);
   void bind_ibvs_point(const std::string& prefix, servo::IbvsPointOptions& o);

@@ -1,12 +1,18 @@
 #include "apps/flight/convert.h"
 
+#include <cmath>
+
 #include "apps/config/data_folder.h"
 #include "features/geometry/angles.h"
+#include "vehicle/random.h"
 
 namespace lineservo::apps {
 namespace {
 
 using features::radians;
+
+// Of the flight's seed; flight.cpp has the two before.
+constexpr std::uint64_t kMountStream = 1002, kWindStream = 1003;
 
 vehicle::Setpoint convert(const servo::VelocityCommand& c) {
   return vehicle::VelocitySetpoint{{c.forward_m_s, c.left_m_s, c.up_m_s}, c.yaw_rate_rad_s};
@@ -16,6 +22,11 @@ vehicle::Setpoint convert(const servo::AttitudeCommand& c) {
 }
 vehicle::Setpoint convert(const servo::LandCommand&) {
   return vehicle::LandSetpoint{};
+}
+
+Eigen::Vector2d mount_tilt_rad(double angle_deg, std::uint64_t seed) {
+  const double side_rad = vehicle::Random(seed, kMountStream).uniform(0.0, 2.0 * features::kPi);
+  return radians(angle_deg) * Eigen::Vector2d(std::cos(side_rad), std::sin(side_rad));
 }
 
 /// The recogniser that a controller flies with: the setting, or the controller's own.
@@ -37,12 +48,16 @@ features::CameraParameters camera_parameters(const CameraSettings& settings) {
   return camera;
 }
 
-vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings) {
+vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, const FloorSettings& floor,
+                                               std::uint64_t seed) {
   vehicle::SyntheticCameraOptions options;
   options.camera = camera_parameters(settings);
+  options.look = floor;
+  options.shutter = settings.shutter;
   options.frame_rate_hz = settings.frame_rate_hz;
-  options.latency_s = settings.latency_s;
+  options.link = {settings.latency_s, settings.latency_jitter_s, settings.drop_share};
   options.noise_sigma = settings.noise_levels / 255.0;
+  options.mount_tilt_rad = mount_tilt_rad(settings.mount_tilt_deg, seed);
   return options;
 }
 
@@ -56,8 +71,29 @@ vehicle::SensorParameters sensor_parameters(const SensorSettings& settings) {
   sensors.tilt_offset_rad = radians(settings.tilt_bias_deg);
   sensors.flow_sigma_m_s = settings.velocity_sigma_m_s;
   sensors.flow_bias_m_s = settings.velocity_bias_m_s;
+  sensors.flow_bias_start_m_s = settings.velocity_bias_start_m_s;
   sensors.range_sigma_m = settings.range_sigma_m;
   return sensors;
+}
+
+vehicle::WeatherParameters weather_parameters(const WindSettings& settings, std::uint64_t seed) {
+  vehicle::WeatherParameters weather;
+  weather.mean_m_s = settings.mean_m_s;
+  weather.direction_rad = radians(settings.direction_deg);
+  if (settings.direction_spread_deg > 0.0) {
+    const double spread_rad = radians(settings.direction_spread_deg);
+    weather.direction_rad += vehicle::Random(seed, kWindStream).uniform(-spread_rad, spread_rad);
+  }
+  weather.turbulence_m_s = settings.turbulence_m_s;
+  weather.turbulence_height_m = settings.turbulence_height_m;
+  weather.gust = settings.gust;
+  return weather;
+}
+
+vehicle::AirframeParameters airframe_parameters(const Settings& settings) {
+  vehicle::AirframeParameters airframe = settings.airframe;
+  airframe.thrust_factors[settings.weak_motor.rotor - 1] = settings.weak_motor.thrust_factor;
+  return airframe;
 }
 
 features::PerceptionOptions perception_options(const FeatureSettings& settings,

@@ -13,8 +13,12 @@ namespace lineservo::apps {
 // From the settings of the files to the options of each side, and from one side to the other.
 
 features::CameraParameters camera_parameters(const CameraSettings& settings);
-vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings);
+/// The seed says to which side the camera is mounted off.
+vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, const FloorSettings& floor,
+                                               std::uint64_t seed);
 vehicle::SensorParameters sensor_parameters(const SensorSettings& settings);
+vehicle::WeatherParameters weather_parameters(const WindSettings& settings, std::uint64_t seed);
+vehicle::AirframeParameters airframe_parameters(const Settings& settings);
 /// With the recogniser and the features that the controller flies with, unless the settings say otherwise.
 features::PerceptionOptions perception_options(const FeatureSettings& settings,
                                                const servo::Controller& controller);

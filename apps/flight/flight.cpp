@@ -67,6 +67,13 @@ Time draw_known_latency(const FlightRequest& request) {
       std::max(0.0, camera.latency_s + random.uniform(-camera.latency_error_s, camera.latency_error_s)));
 }
 
+Eigen::Isometry3d pose_of(const vehicle::BodyState& state) {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = state.q_WB.toRotationMatrix();
+  X_WB.translation() = state.p_WB;
+  return X_WB;
+}
+
 TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& executive) {
   const vehicle::BodyState& truth = quadrotor.truth();
   const vehicle::RollPitchYaw angles = vehicle::roll_pitch_yaw(truth.q_WB);
@@ -75,8 +82,8 @@ TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& 
           truth.w_B,        executive.phase(), static_cast<int>(executive.step())};
 }
 
-std::unique_ptr<vehicle::Wind> make_wind(const WindSettings& wind) {
-  return std::make_unique<vehicle::ConstantWind>(wind.mean_m_s, radians(wind.direction_deg));
+std::unique_ptr<vehicle::Wind> make_wind(const FlightRequest& request) {
+  return std::make_unique<vehicle::Weather>(weather_parameters(request.settings.wind, request.seed), request.seed);
 }
 
 vehicle::StartPlace start_facing(const FlightRequest& request, const vehicle::Layout& floor,
@@ -92,10 +99,11 @@ const servo::Controller& controller_of(const FlightRequest& request) {
 
 Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan)
     : request_(request),
-      quadrotor_(request.settings.airframe, request.settings.autopilot,
-                 sensor_parameters(request.settings.sensors), make_wind(request.settings.wind), request.seed,
+      quadrotor_(airframe_parameters(request.settings), request.settings.autopilot,
+                 sensor_parameters(request.settings.sensors), make_wind(request), request.seed,
                  start_facing(request, floor, plan)),
-      camera_(floor, camera_options(request.settings.camera), request.seed),
+      camera_(floor, camera_options(request.settings.camera, request.settings.floor, request.seed),
+              request.seed),
       perception_(features::CameraModel(camera_parameters(request.settings.camera)),
                   perception_options(request.settings.features, controller_of(request))),
       executive_(plan, controller_of(request).make(request.settings.laws), controller_of(request).traits,
@@ -127,6 +135,7 @@ void Flight::advance() {
       std::min({quadrotor_.now() + kEstimatePeriod, camera_.next_exposure(), camera_.next_delivery()});
   do {
     quadrotor_.step();
+    if (camera_.follows_motion()) camera_.move(quadrotor_.now(), pose_of(quadrotor_.truth()));
     sample_truth();
   } while (quadrotor_.now() < until);
   const vehicle::Estimate& estimate = quadrotor_.estimate();
@@ -138,13 +147,14 @@ void Flight::sample_truth() {
 }
 
 void Flight::expose() {
-  if (!camera_.due(quadrotor_.now())) return;
-  const Stopwatch watch(record_.timing.render);
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.linear() = quadrotor_.truth().q_WB.toRotationMatrix();
-  X_WB.translation() = quadrotor_.truth().p_WB;
-  camera_.capture(quadrotor_.now(), X_WB);
-  exposures_.push_back(sample(quadrotor_, executive_));
+  if (camera_.due(quadrotor_.now())) {
+    camera_.capture(quadrotor_.now(), pose_of(quadrotor_.truth()));
+    exposures_.push_back(sample(quadrotor_, executive_));
+  }
+  while (camera_.has_exposed(quadrotor_.now())) {
+    const Stopwatch watch(record_.timing.render);
+    camera_.develop();
+  }
 }
 
 // observe → decide and compute → send → log

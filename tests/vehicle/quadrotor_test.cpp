@@ -139,6 +139,19 @@ TEST(Quadrotor, ASteadyWindLeavesNoVelocity) {
   EXPECT_LT(q.truth().v_W.norm(), 0.005);
 }
 
+// Hover takes the thrust of the weight, whatever the autopilot was made for; its integral finds the rest.
+TEST(Quadrotor, HoversWithALoadAndAWeakMotor) {
+  AirframeParameters burdened;
+  burdened.load_factor = 1.1;
+  burdened.thrust_factors[0] = 0.85;
+  Quadrotor q(burdened, {}, SensorParameters::ideal(), nullptr, 1, {1.0, 2.0, 0.5});
+  take_off(q);
+  fly(q, velocity(0, 0, 0), 8.0);
+  EXPECT_LT(q.truth().v_W.norm(), 0.01);
+  EXPECT_LT(q.truth().w_B.norm(), 0.01);
+  EXPECT_GT(q.truth().p_WB.z(), 0.3);
+}
+
 TEST(Quadrotor, APayloadItDoesNotKnowOfCostsNoClimbRate) {
   AutopilotOptions options;
   options.believed_mass_ratio = 1.0 / 1.1;

@@ -45,7 +45,8 @@ double Aerodynamics::ground_effect(double rotor_height_m) const {
 Wrench Aerodynamics::rotor_wrench(int rotor, double speed_rad_s, const AirMotion& motion) const {
   const RotorPlacement& place = airframe_.rotors[static_cast<std::size_t>(rotor)];
   const Eigen::Vector3d p_B(place.x_m, place.y_m, 0.0);
-  const double free_thrust_N = airframe_.thrust_coefficient_N_s2 * speed_rad_s * speed_rad_s;
+  const double free_thrust_N =
+      airframe_.thrust_factors[rotor] * airframe_.thrust_coefficient_N_s2 * speed_rad_s * speed_rad_s;
   const double thrust_N = free_thrust_N * ground_effect(motion.height_m + motion.up_B.dot(p_B));
   const Eigen::Vector3d v_rotor_B = motion.v_air_B + motion.w_B.cross(p_B);
   const double drag = airframe_.rotor_drag_N_per_rad_s_m_s * speed_rad_s;

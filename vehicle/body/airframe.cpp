@@ -29,6 +29,7 @@ void check_body(const AirframeParameters& a, Faults& faults) {
   faults.require(I.allFinite() && I.minCoeff() > 0.0 && 2.0 * I.maxCoeff() <= I.sum() * (1.0 + 1e-9),
                  "inertia_kg_m2 must be positive, no element above the sum of the other two");
   faults.require_not_negative(a.body_drag_area_m2, "body_drag_area_m2");
+  faults.require_positive(a.load_factor, "load_factor");
   faults.require_positive(a.gear_height_m, "gear_height_m");
   faults.require(a.collision_half_extents_m.allFinite() && a.collision_half_extents_m.minCoeff() > 0.0,
                  "collision_half_extents_m must be positive");
@@ -64,7 +65,9 @@ void check_rotors(const AirframeParameters& a, Faults& faults) {
   faults.require_positive(a.motor_lag_up_s, "motor_lag_up_s");
   faults.require_positive(a.motor_lag_down_s, "motor_lag_down_s");
   faults.require_positive(a.rotor_radius_m, "rotor_radius_m");
-  faults.require(kRotors * a.max_rotor_thrust_N() > 1.2 * a.weight_N(),
+  faults.require(a.thrust_factors.allFinite() && a.thrust_factors.minCoeff() > 0.0,
+                 "thrust_factors must be finite and above 0");
+  faults.require(a.thrust_factors.sum() * a.max_rotor_thrust_N() > 1.2 * a.load_factor * a.weight_N(),
                  "full thrust must be above 1.2 times the weight");
 }
 
@@ -85,6 +88,14 @@ Eigen::Matrix4d AirframeParameters::allocation() const {
     A.col(i) << 1.0, r.y_m, -r.x_m, -r.spin_sign() * moment_coefficient_m;
   }
   return A;
+}
+
+AirframeParameters AirframeParameters::loaded() const {
+  AirframeParameters flown = *this;
+  flown.mass_kg *= load_factor;
+  flown.inertia_kg_m2 *= load_factor;
+  flown.load_factor = 1.0;
+  return flown;
 }
 
 double AirframeParameters::hover_speed_rad_s() const {

@@ -39,7 +39,11 @@ struct AirframeParameters {
   double motor_lag_down_s = 0.025;
   double rotor_radius_m = 0.128;
   double body_drag_area_m2 = 0.02;  ///< C_d A
-  double gear_height_m = 0.10;      ///< of the body origin above the floor when landed
+  /// A heavier body than the one that the autopilot was made for: on its mass and its inertia.
+  double load_factor = 1.0;
+  /// Weak motors: on the thrust and the reaction torque of each rotor; the autopilot does not know.
+  PerRotor thrust_factors = PerRotor::Ones();
+  double gear_height_m = 0.10;  ///< of the body origin above the floor when landed
   Eigen::Vector3d collision_half_extents_m{0.235, 0.235, 0.055};  ///< the box stands on the floor when landed
 
   /// Throws one std::invalid_argument that lists every fault.
@@ -47,6 +51,9 @@ struct AirframeParameters {
 
   /// Thrust along z_B and the three moments from the rotors' thrusts: (T, M_x, M_y, M_z) = A f.
   Eigen::Matrix4d allocation() const;
+
+  /// With the load on: what flies. The autopilot goes by the bare airframe.
+  AirframeParameters loaded() const;
 
   double weight_N() const { return mass_kg * kGravity_m_s2; }
   double max_rotor_thrust_N() const {

@@ -1,16 +1,18 @@
 #include "vehicle/floor/floor_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <stdexcept>
-
-#include "vehicle/floor/tile_painter.h"
 
 namespace lineservo::vehicle {
 namespace {
 
 constexpr Bgr kSky = {180, 175, 170};
+constexpr double kFarthestLook_heights = 10.0;
+// Ids of paint count from 0; decals share none with it.
+constexpr int kFirstDecalId = 1 << 24;
 
 const Layout& sound(const Layout& layout) {
   std::string list;
@@ -45,32 +47,94 @@ void copy(const TilePixels& pixels, const Block& block, cv::Mat& bgr) {
 
 }  // namespace
 
-FloorRenderer::FloorRenderer(const Layout& layout, const features::CameraModel& camera)
-    : grid_(camera), paint_(paint_of(sound(layout))), floor_colour_(layout.floor_colour) {
-  std::size_t borders = 1;
-  for (const PaintShape& shape : paint_) borders += shape.borders.size();
-  borders_.resize(borders);
-}
+FloorRenderer::FloorRenderer(const Layout& layout, const features::CameraModel& camera, const FloorLook& look,
+                             std::uint64_t seed)
+    : grid_(camera),
+      paint_(paint_of(sound(layout))),
+      markers_(layout.start_markers.size() + layout.end_markers.size()),
+      floor_colour_(layout.floor_colour),
+      decals_(layout, look.wear, seed),
+      light_(camera, look.light, seed) {}
 
 void FloorRenderer::render(const Eigen::Isometry3d& X_WC, cv::Mat& bgr) {
-  bgr.create(grid_.height_px(), grid_.width_px(), CV_8UC3);
-  look_from(X_WC);
-  narrow(scene_, grid_.frame_rect(), frame_);
-  for (int row = 0; row < grid_.rows(); ++row) render_row(row, bgr);
+  shutter_ = nullptr;
+  draw(X_WC, bgr);
 }
 
+void FloorRenderer::render(const ShutterWarp::Motion& X_WC, ShutterWarp& shutter, cv::Mat& bgr) {
+  shutter.follow(X_WC);
+  shutter_ = &shutter;
+  draw(X_WC(0.0), bgr);
+}
+
+void FloorRenderer::draw(const Eigen::Isometry3d& X_WC, cv::Mat& bgr) {
+  bgr.create(grid_.height_px(), grid_.width_px(), CV_8UC3);
+  look_from(X_WC);
+  narrow(scene_, shutter_ ? shutter_->frame_rect() : grid_.frame_rect(), frame_);
+  for (int row = 0; row < grid_.rows(); ++row) {
+    render_row(row, bgr);
+    if (light_.is_needed())
+      light_.shade(row * kTileHeight_px, std::min((row + 1) * kTileHeight_px, bgr.rows), bgr);
+  }
+}
+
+// From below: the lines, the holes in them, the markers, what lies on the floor, the sky.
 void FloorRenderer::look_from(const Eigen::Isometry3d& X_WC) {
   const FloorView view(X_WC);
+  const double reach = reach_m(X_WC);
+  if (!decals_.is_none()) decals_.look_near(X_WC.translation().head<2>(), reach);
+  if (light_.is_needed()) light_.look_from(X_WC, reach);
+  borders_.resize(border_count());
+  next_border_ = borders_.data();
   scene_.base = floor_colour_;
   scene_.shapes.clear();
-  ImageBorder* next = borders_.data();
-  for (const PaintShape& shape : paint_) {
-    ImageBorder* first = next;
-    for (const PaintBorder& border : shape.borders) *next++ = view.project(border);
-    add(shape.colour, first, next);
+  add_paint(view, 0, paint_.size() - markers_);
+  add_decals(view, decals_.holes());
+  add_paint(view, paint_.size() - markers_, paint_.size());
+  add_decals(view, decals_.on_top());
+  *next_border_ = view.horizon();
+  add(kSky, next_border_, next_border_ + 1);
+}
+
+std::size_t FloorRenderer::border_count() const {
+  std::size_t count = 1;
+  for (const PaintShape& shape : paint_) count += shape.borders.size();
+  for (const auto* decals : {&decals_.holes(), &decals_.on_top()})
+    for (const PaintShape* shape : *decals) count += shape->borders.size();
+  return count;
+}
+
+// To the farthest of the image's corners.
+double FloorRenderer::reach_m(const Eigen::Isometry3d& X_WC) const {
+  const RayRect& frame = grid_.frame_rect();
+  const double height_m = std::max(X_WC.translation().z(), 0.01);
+  double reach = 0.0;
+  for (const float x : {frame.x - frame.half_x, frame.x + frame.half_x})
+    for (const float y : {frame.y - frame.half_y, frame.y + frame.half_y}) {
+      const Eigen::Vector3d ray_W = X_WC.linear() * Eigen::Vector3d(x, y, 1.0);
+      const double across = ray_W.head<2>().norm();
+      reach = std::max(reach, across / std::max(-ray_W.z(), across / kFarthestLook_heights));
+    }
+  return reach * height_m;
+}
+
+void FloorRenderer::add_paint(const FloorView& view, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) add_shape(view, paint_[i]);
+}
+
+void FloorRenderer::add_decals(const FloorView& view, const std::vector<const PaintShape*>& decals) {
+  for (const PaintShape* decal : decals) {
+    ImageBorder* first = add_shape(view, *decal);
+    for (ImageBorder* border = first; border != next_border_; ++border)
+      border->id = kFirstDecalId + static_cast<int>(border - borders_.data());
   }
-  *next = view.horizon();
-  add(kSky, next, next + 1);
+}
+
+ImageBorder* FloorRenderer::add_shape(const FloorView& view, const PaintShape& shape) {
+  ImageBorder* first = next_border_;
+  for (const PaintBorder& border : shape.borders) *next_border_++ = view.project(border);
+  add(shape.colour, first, next_border_);
+  return first;
 }
 
 void FloorRenderer::add(const Bgr& colour, const ImageBorder* first, const ImageBorder* last) {
@@ -80,21 +144,37 @@ void FloorRenderer::add(const Bgr& colour, const ImageBorder* first, const Image
   scene_.shapes.push_back(shape);
 }
 
+const RayRect& FloorRenderer::tile_rect(int row, int column) const {
+  return shutter_ ? shutter_->tile_rect(row, column) : grid_.tile_rect(row, column);
+}
+
+void FloorRenderer::paint(int row, int column, TilePixels& pixels) const {
+  if (!shutter_) return paint_tile(grid_.rays(row, column), tile_, pixels);
+  std::array<ShutterWarp::Rays, ShutterOptions::kMostSamples> moved;
+  std::array<TileRays, ShutterOptions::kMostSamples> instants;
+  for (int k = 0; k < shutter_->samples(); ++k) {
+    ShutterWarp::Rays& rays = moved[static_cast<std::size_t>(k)];
+    shutter_->rays(row, column, k, rays);
+    instants[static_cast<std::size_t>(k)] = {rays.x, rays.y, rays.slope};
+  }
+  paint_tile(instants.data(), shutter_->samples(), tile_, pixels);
+}
+
 // Runs of flat tiles of one colour are filled in one go.
 void FloorRenderer::render_row(int row, cv::Mat& bgr) {
-  narrow(frame_, grid_.row_rect(row), row_);
+  narrow(frame_, shutter_ ? shutter_->row_rect(row) : grid_.row_rect(row), row_);
   TilePixels pixels;
   int run_begin = 0;
   Bgr run_colour = row_.base;
   const auto end_run = [&](int column) { fill(block_of(bgr, row, run_begin, column), run_colour, bgr); };
   for (int column = 0; column < grid_.columns(); ++column) {
-    narrow(row_, grid_.tile_rect(row, column), tile_);
+    narrow(row_, tile_rect(row, column), tile_);
     if (tile_.is_flat() && tile_.base == run_colour) continue;
     end_run(column);
     run_begin = column;
     run_colour = tile_.base;
     if (tile_.is_flat()) continue;
-    paint_tile(grid_.rays(row, column), tile_, pixels);
+    paint(row, column, pixels);
     copy(pixels, block_of(bgr, row, column, column + 1), bgr);
     run_begin = column + 1;
   }

@@ -74,6 +74,7 @@ TileGrid::TileGrid(const CameraModel& camera)
   } else {
     store_distorted_rays(camera);
   }
+  store_corners(camera);
   store_slopes(camera);
   store_rects();
 }
@@ -99,6 +100,16 @@ void TileGrid::store_distorted_rays(const CameraModel& camera) {
       const NormalizedPoint ray = camera.normalize(pixel_of(camera, tile / columns_, tile % columns_, i));
       x_.push_back(static_cast<float>(ray.x));
       y_.push_back(static_cast<float>(ray.y));
+    }
+}
+
+void TileGrid::store_corners(const CameraModel& camera) {
+  for (int row = 0; row <= rows_; ++row)
+    for (int column = 0; column <= columns_; ++column) {
+      const PixelPoint corner{column * kTileWidth_px - 0.5, row * kTileHeight_px - 0.5};
+      const NormalizedPoint ray = camera.normalize(is_separable_ ? corner : within(camera, corner));
+      corners_x_.push_back(static_cast<float>(ray.x));
+      corners_y_.push_back(static_cast<float>(ray.y));
     }
 }
 

@@ -40,6 +40,10 @@ class TileGrid {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   TileRays rays(int row, int column) const;
+  /// The rays through the corners of the tiles, columns() + 1 of them along the upper edge of each row and
+  /// the lower one of the last.
+  const float* corners_x(int row) const { return corners_x_.data() + row * (columns_ + 1); }
+  const float* corners_y(int row) const { return corners_y_.data() + row * (columns_ + 1); }
   /// Bounds of the rays through a tile, a row of tiles, and the frame; whole pixels, not just their centres.
   const RayRect& tile_rect(int row, int column) const { return tile_rects_[index(row, column)]; }
   const RayRect& row_rect(int row) const { return row_rects_[static_cast<std::size_t>(row)]; }
@@ -49,6 +53,7 @@ class TileGrid {
   std::size_t index(int row, int column) const { return static_cast<std::size_t>(row * columns_ + column); }
   void store_separable_rays(const features::CameraModel& camera);
   void store_distorted_rays(const features::CameraModel& camera);
+  void store_corners(const features::CameraModel& camera);
   void store_slopes(const features::CameraModel& camera);
   void store_rects();
 
@@ -60,6 +65,8 @@ class TileGrid {
   bool is_separable_;
   std::vector<float> x_;
   std::vector<float> y_;
+  std::vector<float> corners_x_;
+  std::vector<float> corners_y_;
   std::vector<RayJacobian> slopes_;
   std::vector<RayRect> tile_rects_;
   std::vector<RayRect> row_rects_;

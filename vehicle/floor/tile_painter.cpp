@@ -189,27 +189,60 @@ void start_from(const Bgr& base, Layers& layers) {
   for (std::size_t c = 0; c < 3; ++c) layers.bgr[c].fill(static_cast<float>(base[c]));
 }
 
-void paint_single_border(const TileRays& rays, const Cell& cell, Layers& layers) {
+LINESERVO_CLONES void accumulate(const float* plane, float* sum) {
+  for (std::size_t i = 0; i < kTilePixels; ++i) sum[i] += plane[i];
+}
+
+LINESERVO_CLONES void scale(float factor, float* plane) {
+  for (std::size_t i = 0; i < kTilePixels; ++i) plane[i] *= factor;
+}
+
+void paint_single_border(const TileRays* instants, int count, const Cell& cell, Layers& layers) {
   const CrossedShape& shape = cell.shapes.front();
-  Plane area;
-  border_coverage(rays, *shape.borders[0], area);
+  Plane area, here;
+  border_coverage(instants[0], *shape.borders[0], area);
+  for (int k = 1; k < count; ++k) {
+    border_coverage(instants[k], *shape.borders[0], here);
+    accumulate(here.data(), area.data());
+  }
+  if (count > 1) scale(1.0F / static_cast<float>(count), area.data());
+  start_from(cell.base, layers);
   for (std::size_t c = 0; c < 3; ++c)
     lay(area.data(), static_cast<float>(shape.colour[c]), layers.bgr[c].data());
 }
 
 void paint_shapes(const TileRays& rays, const Cell& cell, Layers& layers) {
+  start_from(cell.base, layers);
   layers.crossings.fill(0.0F);
   for (const CrossedShape& shape : cell.shapes) lay_shape(rays, shape, layers);
   for (std::size_t i = 0; i < kTilePixels; ++i)
     if (layers.crossings[i] > 1.0F) sample_pixel(rays, cell, i, layers);
 }
 
+void paint_shapes(const TileRays* instants, int count, const Cell& cell, Layers& layers) {
+  paint_shapes(instants[0], cell, layers);
+  Layers here;
+  for (int k = 1; k < count; ++k) {
+    paint_shapes(instants[k], cell, here);
+    for (std::size_t c = 0; c < 3; ++c) accumulate(here.bgr[c].data(), layers.bgr[c].data());
+  }
+  if (count == 1) return;
+  for (Plane& plane : layers.bgr) scale(1.0F / static_cast<float>(count), plane.data());
+}
+
 }  // namespace
 
 void paint_tile(const TileRays& rays, const Cell& cell, TilePixels& bgr) {
+  paint_tile(&rays, 1, cell, bgr);
+}
+
+void paint_tile(const TileRays* instants, int count, const Cell& cell, TilePixels& bgr) {
   Layers layers;
-  start_from(cell.base, layers);
-  (cell.has_single_border() ? paint_single_border : paint_shapes)(rays, cell, layers);
+  if (cell.has_single_border()) {
+    paint_single_border(instants, count, cell, layers);
+  } else {
+    paint_shapes(instants, count, cell, layers);
+  }
   interleave(layers.bgr[0], layers.bgr[1], layers.bgr[2], bgr);
 }
 

@@ -15,4 +15,7 @@ using TilePixels = std::array<std::uint8_t, 3 * kTilePixels>;
 /// crosses it, from 64 samples where several do.
 void paint_tile(const TileRays& rays, const Cell& cell, TilePixels& bgr);
 
+/// The mean over several instants, each with its own rays. Requires count ≥ 1.
+void paint_tile(const TileRays* instants, int count, const Cell& cell, TilePixels& bgr);
+
 }  // namespace lineservo::vehicle

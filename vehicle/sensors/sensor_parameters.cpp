@@ -9,7 +9,7 @@ SensorParameters SensorParameters::ideal() {
   p.gyro_sigma_rad_s = p.gyro_bias_rad_s = 0.0;
   p.accelerometer_sigma_m_s2 = p.accelerometer_bias_m_s2 = 0.0;
   p.attitude_sigma_rad = p.tilt_offset_rad = 0.0;
-  p.flow_sigma_m_s = p.flow_bias_m_s = 0.0;
+  p.flow_sigma_m_s = p.flow_bias_m_s = p.flow_bias_start_m_s = 0.0;
   p.range_sigma_m = 0.0;
   return p;
 }
@@ -25,6 +25,7 @@ void SensorParameters::validate() const {
   faults.require_not_negative(tilt_offset_rad, "tilt_offset_rad");
   faults.require_not_negative(flow_sigma_m_s, "flow_sigma_m_s");
   faults.require_not_negative(flow_bias_m_s, "flow_bias_m_s");
+  faults.require_not_negative(flow_bias_start_m_s, "flow_bias_start_m_s");
   faults.require_positive(flow_bias_correlation_s, "flow_bias_correlation_s");
   faults.require_not_negative(range_sigma_m, "range_sigma_m");
   faults.throw_if_any();

@@ -29,6 +29,9 @@ struct SensorParameters {
   double flow_sigma_m_s = 0.03;
   double flow_bias_m_s = 0.01;  ///< first-order Gauss–Markov
   double flow_bias_correlation_s = 60.0;
+  /// Added to the above: what it is off by at power-on, in a direction of the flight's own, and dies away
+  /// with the same time constant.
+  double flow_bias_start_m_s = 0.0;
   double range_sigma_m = 0.005;
 
   /// Every error zero.

@@ -49,6 +49,7 @@ Sensors::Sensors(const SensorParameters& p, std::uint64_t seed, const BodyState&
   gyro_bias_B_ = normal_vector(biases, p.gyro_bias_rad_s);
   accelerometer_bias_B_ = normal_vector(biases, p.accelerometer_bias_m_s2);
   tilt_offset_rad_ = of_any_direction(biases, p.tilt_offset_rad);
+  flow_bias_start_m_s_ = of_any_direction(biases, p.flow_bias_start_m_s);
 }
 
 SensorReadings Sensors::sample(Time t, const BodyState& truth) {
@@ -56,7 +57,7 @@ SensorReadings Sensors::sample(Time t, const BodyState& truth) {
   readings.stamp = t;
   read_inertial(truth, readings);
   read_attitude(truth, readings);
-  if (t % kFlowPeriod == Time(0)) readings.flow_v_H_m_s = read_flow(truth);
+  if (t % kFlowPeriod == Time(0)) readings.flow_v_H_m_s = read_flow(t, truth);
   if (t % kRangePeriod == Time(0)) readings.range_m = read_range(truth);
   last_ = truth;
   return readings;
@@ -87,10 +88,11 @@ void Sensors::read_attitude(const BodyState& truth, SensorReadings& readings) {
   pitch_error_.step(attitude_noise_);
 }
 
-Eigen::Vector2d Sensors::read_flow(const BodyState& truth) {
+Eigen::Vector2d Sensors::read_flow(Time t, const BodyState& truth) {
   const Eigen::Vector2d v_W = truth.v_W.head<2>();
   Eigen::Vector2d v_H = turned(v_W, -roll_pitch_yaw(truth.q_WB).yaw_rad);
   v_H += Eigen::Vector2d(flow_bias_x_.value(), flow_bias_y_.value());
+  v_H += std::exp(-seconds(t) / parameters_.flow_bias_correlation_s) * flow_bias_start_m_s_;
   v_H.x() += flow_noise_.normal(parameters_.flow_sigma_m_s);
   v_H.y() += flow_noise_.normal(parameters_.flow_sigma_m_s);
   flow_bias_x_.step(flow_bias_noise_);

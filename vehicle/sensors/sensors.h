@@ -33,13 +33,14 @@ class Sensors {
   Eigen::Vector3d specific_force_B(const BodyState& truth);
   void read_inertial(const BodyState& truth, SensorReadings& readings);
   void read_attitude(const BodyState& truth, SensorReadings& readings);
-  Eigen::Vector2d read_flow(const BodyState& truth);
+  Eigen::Vector2d read_flow(Time t, const BodyState& truth);
   double read_range(const BodyState& truth);
 
   SensorParameters parameters_;
   Random gyro_noise_, accelerometer_noise_, attitude_noise_, flow_noise_, flow_bias_noise_, range_noise_;
   Eigen::Vector3d gyro_bias_B_, accelerometer_bias_B_;
   Eigen::Vector2d tilt_offset_rad_;  // of roll and pitch
+  Eigen::Vector2d flow_bias_start_m_s_;
   GaussMarkov roll_error_, pitch_error_, flow_bias_x_, flow_bias_y_;
   BodyState last_;
 };

@@ -69,7 +69,7 @@ TEST(ListData, IsInOrderOfNamesAndEachHasADescription) {
   }
   EXPECT_THAT(names(DataKind::layout),
               ::testing::IsSupersetOf({"bend", "straight", "tape-warehouse", "warehouse"}));
-  EXPECT_THAT(names(DataKind::conditions), ::testing::IsSupersetOf({"ideal", "paper"}));
+  EXPECT_THAT(names(DataKind::conditions), ::testing::IsSupersetOf({"ideal", "paper", "harsh"}));
 }
 
 TEST(ListData, PassesOverWhatIsNotYaml) {

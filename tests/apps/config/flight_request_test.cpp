@@ -204,6 +204,35 @@ TEST_F(FlightRequestTest, PaperIsAsInTheTableOfConditions) {
   EXPECT_EQ(s.sensors.range_sigma_m, 0.005);
 }
 
+TEST_F(FlightRequestTest, HarshIsAsInTheTableOfConditions) {
+  FlightRequest request;
+  apply_conditions(request, "harsh");
+  const Settings& s = request.settings;
+  EXPECT_EQ(s.speed_m_s, 0.5);
+  EXPECT_EQ(s.camera.frame_rate_hz, 30.0);
+  EXPECT_EQ(s.camera.latency_s, 0.06);
+  EXPECT_GT(s.camera.latency_jitter_s, 0.0);
+  EXPECT_LE(s.camera.latency_jitter_s + s.camera.latency_error_s, 0.01);
+  EXPECT_EQ(s.camera.drop_share, 0.05);
+  EXPECT_EQ(s.camera.shutter.exposure_s, 0.008);
+  EXPECT_EQ(s.camera.shutter.samples, 5);
+  EXPECT_EQ(s.camera.shutter.readout_s, 0.015);
+  EXPECT_EQ(s.camera.noise_levels, 6.0);
+  EXPECT_EQ(s.camera.mount_tilt_deg, 1.0);
+  EXPECT_EQ(s.floor.light.low, 0.4);
+  EXPECT_EQ(s.floor.light.high, 1.3);
+  EXPECT_GT(s.floor.light.glare, 0.0);
+  EXPECT_EQ(s.floor.wear.worn_share, 0.25);
+  EXPECT_EQ(s.floor.wear.gap_m, 0.1);
+  EXPECT_GT(s.floor.wear.dirt_share, 0.0);
+  EXPECT_EQ(s.wind.mean_m_s, 1.5);
+  EXPECT_EQ(s.wind.turbulence_m_s, 0.8);
+  EXPECT_EQ(s.sensors.velocity_bias_m_s, 0.03);
+  EXPECT_EQ(s.sensors.tilt_bias_deg, 0.5);
+  EXPECT_EQ(s.sensors.range_sigma_m, 0.02);
+  EXPECT_EQ(s.airframe.load_factor, 1.1);
+}
+
 TEST_F(FlightRequestTest, IdealIsAsInTheTableOfConditionsAndTheDefault) {
   FlightRequest request;
   apply_conditions(request, "ideal");

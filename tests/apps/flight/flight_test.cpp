@@ -88,6 +88,26 @@ TEST(Flight, EveryTickHasTheExposureItsLatencyAgo) {
   }
 }
 
+// A tenth of the frames lost and ± 10 ms: those that come are in order, each within its bounds.
+TEST(Flight, JitterAndLostFramesLeaveTheOrder) {
+  FlightRequest request = request_for("node:r", "paper");
+  for (const char* setting :
+       {"camera.frame_rate_hz=30", "camera.latency_jitter_s=0.01", "camera.drop_share=0.1"})
+    apply_override(request, setting);
+  const Flown flown = fly(request, small_floor(), small_floor());
+  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  const std::vector<TickRecord>& ticks = flown.record.ticks;
+  std::size_t lost = 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    const double period_s = vehicle::seconds(ticks[i].captured - ticks[i - 1].captured);
+    ASSERT_GT(period_s, 0.03);
+    ASSERT_GT(ticks[i].t, ticks[i - 1].t);
+    ASSERT_NEAR(vehicle::seconds(ticks[i].t - ticks[i].captured), 0.05, 0.0115);
+    lost += static_cast<std::size_t>(std::lround(period_s * 30.0)) - 1;
+  }
+  EXPECT_NEAR(static_cast<double>(lost) / static_cast<double>(lost + ticks.size()), 0.1, 0.04);
+}
+
 TEST(Flight, ItsPhasesComeInOrder) {
   const Flown flown = fly_small();
   std::vector<Phase> phases;

@@ -96,5 +96,15 @@ TEST(Aerodynamics, GroundEffectFallsWithHeightAndIsFiniteOnTheFloor) {
   EXPECT_NEAR(air.ground_effect(50.0), 1.0, 1e-5);
 }
 
+TEST(Aerodynamics, AWeakMotorGivesItsShareOfThrustAndTorque) {
+  AirframeParameters weak = without_drag();
+  weak.thrust_factors[2] = 0.8;
+  const PerRotor front_left(0, 0, 600, 0);
+  const Wrench full = Aerodynamics(without_drag()).wrench(front_left, high_up());
+  const Wrench less = Aerodynamics(weak).wrench(front_left, high_up());
+  EXPECT_NEAR((less.force_B_N - 0.8 * full.force_B_N).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((less.torque_B_Nm - 0.8 * full.torque_B_Nm).norm(), 0.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace lineservo::vehicle

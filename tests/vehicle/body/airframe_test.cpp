@@ -81,5 +81,16 @@ TEST(Airframe, SpacingAndDiagonalOfASquareOfRotors) {
   EXPECT_NEAR(square.rotor_diagonal_m(), 0.2 * std::sqrt(2.0), 1e-12);
 }
 
+TEST(Airframe, ALoadIsOnMassAndInertia) {
+  AirframeParameters iris;
+  iris.load_factor = 1.1;
+  const AirframeParameters flown = iris.loaded();
+  EXPECT_NEAR(flown.mass_kg, 1.65, 1e-12);
+  EXPECT_NEAR((flown.inertia_kg_m2 - 1.1 * iris.inertia_kg_m2).norm(), 0.0, 1e-12);
+  EXPECT_EQ(flown.load_factor, 1.0);
+  iris.load_factor = 1.7;  // 25 N of weight and 28 N of thrust
+  EXPECT_THROW(iris.validate(), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lineservo::vehicle

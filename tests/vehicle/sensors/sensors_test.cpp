@@ -135,5 +135,17 @@ TEST(Sensors, BadParametersAreRefused) {
   EXPECT_THROW(Sensors(bad, 1, hovering()), std::invalid_argument);
 }
 
+// e^(−t/τ) of its start, whichever way it points.
+TEST(Sensors, TheVelocitysBiasAtPowerOnDiesAway) {
+  SensorParameters p = SensorParameters::ideal();
+  p.flow_bias_start_m_s = 0.03;
+  Sensors sensors(p, 5, hovering()), other(p, 6, hovering());
+  const Eigen::Vector2d start = *sensors.sample(Time(0), hovering()).flow_v_H_m_s;
+  const Eigen::Vector2d later = *sensors.sample(std::chrono::seconds(60), hovering()).flow_v_H_m_s;
+  EXPECT_NEAR(start.norm(), 0.03, 1e-12);
+  EXPECT_NEAR((later - std::exp(-1.0) * start).norm(), 0.0, 1e-12);
+  EXPECT_GT((start - *other.sample(Time(0), hovering()).flow_v_H_m_s).norm(), 1e-4);
+}
+
 }  // namespace
 }  // namespace lineservo::vehicle

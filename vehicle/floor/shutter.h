@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <functional>
+#include <vector>
+
+#include "vehicle/floor/tile_grid.h"
+
+namespace lineservo::vehicle {
+
+struct ShutterOptions {
+  static constexpr int kMostSamples = 32;
+
+  double exposure_s = 0.0;  ///< of each row, 0 … 0.1; 0: in no time
+  double readout_s = 0.0;   ///< from the first row's exposure to the last one's, 0 … 0.1; 0: all at once
+  int samples = 5;          ///< instants that stand for the exposure, 1 … 32
+
+  bool is_instant() const { return exposure_s == 0.0 && readout_s == 0.0; }
+  /// From the first row's opening to the last row's closing, half of it.
+  double half_window_s() const { return 0.5 * (exposure_s + readout_s); }
+  /// Throws std::invalid_argument that names what is out of bounds.
+  void validate() const;
+};
+
+/// When a row is exposed, on average, from the middle of the frame; `row` counts from the image's upper edge,
+/// in pixels.
+double row_delay_s(const ShutterOptions& options, double row_px, int height_px);
+/// Instant k of the exposure's, from its middle: the middles of as many equal parts.
+double sample_delay_s(const ShutterOptions& options, int k);
+
+/// The true motion during an exposure as a displacement of rays. What the ray r sees at another instant the
+/// camera would see, at mid-exposure, along H r with
+///   H = R₀ᵀ (h I − (c − c₀) e₃ᵀ) R,
+/// (R, c) the pose then, h the height, (R₀, c₀) the pose at mid-exposure: both meet the floor in one point.
+/// So the paint is projected once a frame, and each instant of each row looks at it along rays of its own. H
+/// is exact at the corners of the tiles and bilinear between them.
+class ShutterWarp {
+ public:
+  /// The pose of the camera in W, a time from mid-exposure.
+  using Motion = std::function<Eigen::Isometry3d(double)>;
+
+  /// `grid` must outlive this.
+  ShutterWarp(const TileGrid& grid, const ShutterOptions& options);
+
+  void follow(const Motion& X_WC);
+
+  int samples() const { return options_.samples; }
+  /// Bounds of the rays of all instants, as those of TileGrid.
+  const RayRect& tile_rect(int row, int column) const;
+  const RayRect& row_rect(int row) const { return row_rects_[static_cast<std::size_t>(row)]; }
+  const RayRect& frame_rect() const { return frame_rect_; }
+  /// The rays of a tile at instant k, into memory of the caller's.
+  struct Rays {
+    float x[kTilePixels], y[kTilePixels];
+    RayJacobian slope;
+  };
+  void rays(int row, int column, int k, Rays& moved) const;
+
+ private:
+  std::size_t corner(int k, int row, int column) const;
+  void displace_corners(int k, int row, const Eigen::Matrix3d& H);
+  void bound();
+
+  const TileGrid* grid_;
+  ShutterOptions options_;
+  std::vector<float> corner_x_, corner_y_;  ///< the rays through the tiles' corners
+  std::vector<float> off_x_, off_y_;        ///< how far they are displaced, instant by instant
+  std::vector<RayRect> tile_rects_, row_rects_;
+  RayRect frame_rect_;
+};
+
+}  // namespace lineservo::vehicle
