@@ -104,7 +104,9 @@ TEST(Decals, ObjectsLieBesideTheLines) {
   EXPECT_GT(decals.on_top().size(), 20U);
   for (double x = 6.0; x < 12.0; x += 0.02)
     for (double y = 1.0; y < 7.0; y += 0.02)
-      if (distance_to_paint_m(layout, {x, y}) < 0.02) ASSERT_FALSE(is_under(decals.on_top(), {x, y}));
+      if (distance_to_paint_m(layout, {x, y}) < 0.02) {
+        ASSERT_FALSE(is_under(decals.on_top(), {x, y}));
+      }
 }
 
 TEST(Decals, EachSwitchesByItself) {

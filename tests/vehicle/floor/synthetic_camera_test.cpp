@@ -106,7 +106,9 @@ TEST(SyntheticCamera, AnOpenShutterIsFollowedToItsEndAndStampedInItsMiddle) {
     if (cam.due(now)) cam.capture(now, pose_at(now));
     EXPECT_EQ(cam.has_exposed(now), now == Time(6ms));
     if (cam.has_exposed(now)) cam.develop();
-    if (now == 6ms) EXPECT_EQ(cam.deliver(now)->stamp, Time(0));
+    if (now == 6ms) {
+      EXPECT_EQ(cam.deliver(now)->stamp, Time(0));
+    }
   }
   cam.move(26ms, pose_at(26ms));
   EXPECT_TRUE(cam.has_exposed(26ms));
