@@ -10,7 +10,8 @@
 #include "vehicle/autopilot/options.h"
 #include "vehicle/body/airframe.h"
 #include "vehicle/body/weather.h"
-#include "vehicle/floor/floor_renderer.h"
+#include "vehicle/floor/floor_look.h"
+#include "vehicle/floor/shutter_options.h"
 
 namespace lineservo::apps {
 

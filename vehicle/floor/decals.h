@@ -6,22 +6,9 @@
 #include <vector>
 
 #include "vehicle/floor/paint.h"
+#include "vehicle/floor/wear_options.h"
 
 namespace lineservo::vehicle {
-
-/// What use does to a painted floor. All of it lies still on the floor: the seed and the place decide.
-struct WearOptions {
-  /// Of the paint missing in round blotches (a fifth of the narrowest line's width in radius, 20 mm at
-  /// least).
-  double worn_share = 0.0;      ///< 0 … 0.9
-  double gap_m = 0.0;           ///< length of gaps across a line; 0 … 1, none at 0
-  double gap_every_m = 3.0;     ///< one in each stretch of a line this long, clear of the nodes; 0.2 … 1000
-  double dirt_share = 0.0;      ///< of floor and paint under dark spots; 0 … 0.5
-  double objects_per_m2 = 0.0;  ///< boxes and pieces of tape in other colours, beside the lines; 0 … 20
-
-  /// Throws std::invalid_argument that names what is out of bounds.
-  void validate() const;
-};
 
 /// Worn paint, gaps, dirt and objects as shapes like those of the paint, so that they are drawn as exactly.
 /// Blotches and spots are Boolean models: Poisson places, each with a radius of its own; the share that they

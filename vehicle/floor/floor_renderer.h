@@ -7,6 +7,7 @@
 #include "features/geometry/camera_model.h"
 #include "vehicle/floor/cell.h"
 #include "vehicle/floor/decals.h"
+#include "vehicle/floor/floor_look.h"
 #include "vehicle/floor/layout.h"
 #include "vehicle/floor/light_pass.h"
 #include "vehicle/floor/paint.h"
@@ -15,12 +16,6 @@
 #include "vehicle/floor/tile_painter.h"
 
 namespace lineservo::vehicle {
-
-/// What makes a painted floor look other than new and evenly lit.
-struct FloorLook {
-  WearOptions wear;
-  LightOptions light;
-};
 
 /// Draws the painted floor as a camera sees it, anti-aliased by area, in three steps kept apart: the paint as
 /// shapes in W (once), their borders in the image (per pose), and the pixels (per tile that a border crosses;

@@ -141,33 +141,34 @@ void ShutterWarp::displace_corners(int k, int row, const Eigen::Matrix3d& H) {
            &off_y_[first]);
 }
 
+// The corners' displacements over all instants, at the upper or lower edge of a row of tiles, then of each
+// tile.
 void ShutterWarp::bound() {
-  const int corners = grid_->columns() + 1;
-  const auto count = static_cast<std::size_t>(corners);
-  std::vector<float> low_x(count), high_x(count), low_y(count), high_y(count);
   for (int row = 0; row < grid_->rows(); ++row) {
-    low_x.assign(&off_x_[corner(0, row, 0)], &off_x_[corner(0, row, 0)] + corners);
-    low_y.assign(&off_y_[corner(0, row, 0)], &off_y_[corner(0, row, 0)] + corners);
-    high_x = low_x;
-    high_y = low_y;
-    for (int k = 0; k < options_.samples; ++k)
-      for (int edge = row; edge <= row + 1; ++edge) {
-        widen(&off_x_[corner(k, edge, 0)], corners, low_x.data(), high_x.data());
-        widen(&off_y_[corner(k, edge, 0)], corners, low_y.data(), high_y.data());
-      }
+    const Range x = range_of_row(off_x_, row), y = range_of_row(off_y_, row);
+    RayRect& whole_row = row_rects_[static_cast<std::size_t>(row)];
     for (int column = 0; column < grid_->columns(); ++column) {
       const auto left = static_cast<std::size_t>(column), right = left + 1;
       RayRect rect = grid_->tile_rect(row, column);
-      stretch(std::min(low_x[left], low_x[right]), std::max(high_x[left], high_x[right]), rect.x,
+      stretch(std::min(x.low[left], x.low[right]), std::max(x.high[left], x.high[right]), rect.x,
               rect.half_x);
-      stretch(std::min(low_y[left], low_y[right]), std::max(high_y[left], high_y[right]), rect.y,
+      stretch(std::min(y.low[left], y.low[right]), std::max(y.high[left], y.high[right]), rect.y,
               rect.half_y);
       tile_rects_[static_cast<std::size_t>(row * grid_->columns() + column)] = rect;
-      RayRect& whole_row = row_rects_[static_cast<std::size_t>(row)];
       whole_row = column == 0 ? rect : around(whole_row, rect);
     }
-    frame_rect_ = row == 0 ? row_rects_[0] : around(frame_rect_, row_rects_[static_cast<std::size_t>(row)]);
+    frame_rect_ = row == 0 ? whole_row : around(frame_rect_, whole_row);
   }
+}
+
+ShutterWarp::Range ShutterWarp::range_of_row(const std::vector<float>& off, int row) const {
+  const int corners = grid_->columns() + 1;
+  const float* first = &off[corner(0, row, 0)];
+  Range range{{first, first + corners}, {first, first + corners}};
+  for (int k = 0; k < options_.samples; ++k)
+    for (const int edge : {row, row + 1})
+      widen(&off[corner(k, edge, 0)], corners, range.low.data(), range.high.data());
+  return range;
 }
 
 const RayRect& ShutterWarp::tile_rect(int row, int column) const {

@@ -5,23 +5,10 @@
 #include <functional>
 #include <vector>
 
+#include "vehicle/floor/shutter_options.h"
 #include "vehicle/floor/tile_grid.h"
 
 namespace lineservo::vehicle {
-
-struct ShutterOptions {
-  static constexpr int kMostSamples = 32;
-
-  double exposure_s = 0.0;  ///< of each row, 0 … 0.1; 0: in no time
-  double readout_s = 0.0;   ///< from the first row's exposure to the last one's, 0 … 0.1; 0: all at once
-  int samples = 5;          ///< instants that stand for the exposure, 1 … 32
-
-  bool is_instant() const { return exposure_s == 0.0 && readout_s == 0.0; }
-  /// From the first row's opening to the last row's closing, half of it.
-  double half_window_s() const { return 0.5 * (exposure_s + readout_s); }
-  /// Throws std::invalid_argument that names what is out of bounds.
-  void validate() const;
-};
 
 /// When a row is exposed, on average, from the middle of the frame; `row` counts from the image's upper edge,
 /// in pixels.
@@ -61,6 +48,11 @@ class ShutterWarp {
   std::size_t corner(int k, int row, int column) const;
   void displace_corners(int k, int row, const Eigen::Matrix3d& H);
   void bound();
+  /// Of each corner's displacement, along the upper and the lower edge of a row of tiles.
+  struct Range {
+    std::vector<float> low, high;
+  };
+  Range range_of_row(const std::vector<float>& off, int row) const;
 
   const TileGrid* grid_;
   ShutterOptions options_;
