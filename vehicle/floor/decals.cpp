@@ -15,8 +15,8 @@ using Eigen::Vector2d;
 using features::kPi;
 
 constexpr double kSquare_m = 1.0;
-constexpr double kLargestReach_m = 0.6;  // of any decal from its centre
-constexpr double kBlotchInWidths = 0.2, kSmallestBlotch_m = 0.02, kLargestBlotch_m = 0.2;
+constexpr double kLargestReach_m = 0.25;  // of any decal in a square from its centre
+constexpr double kBlotchInWidths = 1.0 / 6.0, kSmallestBlotch_m = 0.0125, kLargestBlotch_m = 0.03;
 constexpr double kSpotRadius_m = 0.025;
 constexpr double kObjectsClearance_m = 0.03;
 constexpr double kGapClearance_m = 0.3;  // from a node, past the line that crosses there
@@ -55,30 +55,6 @@ Vector2d drawn_place_W(int x, int y, Random& random) {
   return {(x + along) * kSquare_m, (y + up) * kSquare_m};
 }
 
-PaintShape disc(const Vector2d& centre_W, double radius_m, const Bgr& colour) {
-  PaintBorder border;
-  border.kind = PaintBorder::Kind::inside_circle;
-  border.centre_W = centre_W;
-  border.radius_m = radius_m;
-  return {colour, {border}};
-}
-
-PaintShape rectangle(const Vector2d& centre_W, double heading_rad, double length_m, double width_m,
-                     const Bgr& colour) {
-  const Vector2d u(std::cos(heading_rad), std::sin(heading_rad)), left(-u.y(), u.x());
-  PaintShape shape{colour, {}};
-  for (const auto& [n_W, half_m] : {std::pair<Vector2d, double>{u, 0.5 * length_m},
-                                    {-u, 0.5 * length_m},
-                                    {left, 0.5 * width_m},
-                                    {-left, 0.5 * width_m}}) {
-    PaintBorder border;
-    border.n_W = n_W;
-    border.offset_m = half_m + n_W.dot(centre_W);
-    shape.borders.push_back(border);
-  }
-  return shape;
-}
-
 Bgr drawn_dirt(Random& random) {
   const auto grey = static_cast<std::uint8_t>(random.uniform(45.0, 85.0));
   return {grey, static_cast<std::uint8_t>(grey + 4), static_cast<std::uint8_t>(grey + 10)};
@@ -94,21 +70,6 @@ constexpr ObjectKind kObjectKinds[] = {
     {{25, 25, 25}, 0.30, 0.05},  {{60, 95, 140}, 0.22, 0.14}, {{90, 90, 90}, 0.12, 0.10},
 };
 
-struct FloorObject {
-  PaintShape shape;
-  double reach_m;  // of its corners from its centre
-};
-
-FloorObject drawn_object(const Vector2d& centre_W, Random& random) {
-  const auto kind =
-      static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(std::size(kObjectKinds))));
-  const double size = random.uniform(0.7, 1.3), heading_rad = random.uniform(0.0, kPi);
-  const ObjectKind& made = kObjectKinds[kind];
-  const double length_m = size * made.length_m, width_m = size * made.width_m;
-  return {rectangle(centre_W, heading_rad, length_m, width_m, made.colour),
-          0.5 * std::hypot(length_m, width_m)};
-}
-
 double narrowest_m(const Layout& layout) {
   double width_m = layout.edges.front().width_m;
   for (const LayoutEdge& edge : layout.edges) width_m = std::min(width_m, edge.width_m);
@@ -120,6 +81,38 @@ bool within(double value, double low, double high) {
 }
 
 }  // namespace
+
+Decals::Decal Decals::disc(const Vector2d& centre_W, double radius_m, const Bgr& colour) {
+  PaintBorder border;
+  border.kind = PaintBorder::Kind::inside_circle;
+  border.centre_W = centre_W;
+  border.radius_m = radius_m;
+  return {{colour, {border}}, centre_W, radius_m};
+}
+
+Decals::Decal Decals::rectangle(const Vector2d& centre_W, double heading_rad, double length_m, double width_m,
+                                const Bgr& colour) {
+  const Vector2d u(std::cos(heading_rad), std::sin(heading_rad)), left(-u.y(), u.x());
+  PaintShape shape{colour, {}};
+  for (const auto& [n_W, half_m] : {std::pair<Vector2d, double>{u, 0.5 * length_m},
+                                    {-u, 0.5 * length_m},
+                                    {left, 0.5 * width_m},
+                                    {-left, 0.5 * width_m}}) {
+    PaintBorder border;
+    border.n_W = n_W;
+    border.offset_m = half_m + n_W.dot(centre_W);
+    shape.borders.push_back(border);
+  }
+  return {shape, centre_W, 0.5 * std::hypot(length_m, width_m)};
+}
+
+Decals::Decal Decals::drawn_object(const Vector2d& centre_W, Random& random) {
+  const auto kind =
+      static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(std::size(kObjectKinds))));
+  const double size = random.uniform(0.7, 1.3), heading_rad = random.uniform(0.0, kPi);
+  const ObjectKind& made = kObjectKinds[kind];
+  return rectangle(centre_W, heading_rad, size * made.length_m, size * made.width_m, made.colour);
+}
 
 void WearOptions::validate() const {
   if (!within(worn_share, 0.0, 0.9)) throw std::invalid_argument("wear: the worn share must be 0 to 0.9");
@@ -158,35 +151,33 @@ void Decals::cut_gaps() {
       const CurvePoint middle = edge.centreline.at(s_m);
       gaps_.push_back(rectangle(middle.p_W, middle.heading_rad, options_.gap_m,
                                 edge.width_m + 2.0 * kGapOverhang_m, layout_.floor_colour));
-      gap_centres_W_.push_back(middle.p_W);
     }
   }
 }
 
-void Decals::draw_blotches(const Square& square, std::vector<PaintShape>& holes) const {
+void Decals::draw_blotches(const Square& square, const Layout& paint, std::vector<Decal>& holes) const {
   const auto& [x, y] = square;
   Random random = of_square(seed_, kBlotches, x, y);
   const double density = density_per_m2(options_.worn_share, blotch_radius_m_);
   for (int n = poisson(density * kSquare_m * kSquare_m, random); n > 0; --n) {
     const Vector2d p_W = drawn_place_W(x, y, random);
     const double radius_m = drawn_radius_m(blotch_radius_m_, random);
-    if (distance_to_paint_m(layout_, p_W) < radius_m)
+    if (distance_to_paint_m(paint, p_W) < radius_m)
       holes.push_back(disc(p_W, radius_m, layout_.floor_colour));
   }
 }
 
-void Decals::draw_objects(const Square& square, std::vector<PaintShape>& on_top) const {
+void Decals::draw_objects(const Square& square, const Layout& paint, std::vector<Decal>& on_top) const {
   const auto& [x, y] = square;
   Random random = of_square(seed_, kObjects, x, y);
   for (int n = poisson(options_.objects_per_m2 * kSquare_m * kSquare_m, random); n > 0; --n) {
     const Vector2d p_W = drawn_place_W(x, y, random);
-    const FloorObject object = drawn_object(p_W, random);
-    if (distance_to_paint_m(layout_, p_W) > object.reach_m + kObjectsClearance_m)
-      on_top.push_back(object.shape);
+    const Decal object = drawn_object(p_W, random);
+    if (distance_to_paint_m(paint, p_W) > object.reach_m + kObjectsClearance_m) on_top.push_back(object);
   }
 }
 
-void Decals::draw_spots(const Square& square, std::vector<PaintShape>& on_top) const {
+void Decals::draw_spots(const Square& square, std::vector<Decal>& on_top) const {
   const auto& [x, y] = square;
   Random random = of_square(seed_, kSpots, x, y);
   const double density = density_per_m2(options_.dirt_share, kSpotRadius_m);
@@ -197,11 +188,24 @@ void Decals::draw_spots(const Square& square, std::vector<PaintShape>& on_top) c
   }
 }
 
+// What of the paint matters for decals with their centres in the square.
+Layout Decals::paint_near(const Square& square) const {
+  const Vector2d middle_W(kSquare_m * (square.first + 0.5), kSquare_m * (square.second + 0.5));
+  Layout paint;
+  paint.start_markers = layout_.start_markers;
+  paint.end_markers = layout_.end_markers;
+  for (const LayoutEdge& edge : layout_.edges)
+    if (edge.centreline.project(middle_W).distance_m < kSquare_m + kLargestReach_m + edge.width_m)
+      paint.edges.push_back(edge);
+  return paint;
+}
+
 const Decals::Content& Decals::content(const Square& square) {
   const auto [it, is_new] = squares_.try_emplace(square);
   if (is_new) {
-    draw_blotches(square, it->second.holes);
-    draw_objects(square, it->second.on_top);
+    const Layout paint = paint_near(square);
+    draw_blotches(square, paint, it->second.holes);
+    draw_objects(square, paint, it->second.on_top);
     draw_spots(square, it->second.on_top);
   }
   return it->second;
@@ -210,16 +214,19 @@ const Decals::Content& Decals::content(const Square& square) {
 void Decals::look_near(const Vector2d& p_W, double radius_m) {
   holes_.clear();
   on_top_.clear();
+  const auto take = [&](const std::vector<Decal>& decals, std::vector<const PaintShape*>& into) {
+    for (const Decal& decal : decals)
+      if ((decal.centre_W - p_W).squaredNorm() < std::pow(radius_m + decal.reach_m, 2))
+        into.push_back(&decal.shape);
+  };
+  take(gaps_, holes_);
   const double reach_m = radius_m + kLargestReach_m;
-  for (std::size_t i = 0; i < gaps_.size(); ++i)
-    if ((gap_centres_W_[i] - p_W).norm() < reach_m + options_.gap_m) holes_.push_back(&gaps_[i]);
-  const auto first = [&](double c) { return static_cast<int>(std::floor((c - reach_m) / kSquare_m)); };
-  const auto last = [&](double c) { return static_cast<int>(std::floor((c + reach_m) / kSquare_m)); };
-  for (int x = first(p_W.x()); x <= last(p_W.x()); ++x)
-    for (int y = first(p_W.y()); y <= last(p_W.y()); ++y) {
+  const auto square_at = [](double c) { return static_cast<int>(std::floor(c / kSquare_m)); };
+  for (int x = square_at(p_W.x() - reach_m); x <= square_at(p_W.x() + reach_m); ++x)
+    for (int y = square_at(p_W.y() - reach_m); y <= square_at(p_W.y() + reach_m); ++y) {
       const Content& here = content({x, y});
-      for (const PaintShape& shape : here.holes) holes_.push_back(&shape);
-      for (const PaintShape& shape : here.on_top) on_top_.push_back(&shape);
+      take(here.holes, holes_);
+      take(here.on_top, on_top_);
     }
 }
 

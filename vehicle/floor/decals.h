@@ -7,6 +7,7 @@
 
 #include "vehicle/floor/paint.h"
 #include "vehicle/floor/wear_options.h"
+#include "vehicle/random.h"
 
 namespace lineservo::vehicle {
 
@@ -29,14 +30,24 @@ class Decals {
 
  private:
   using Square = std::pair<int, int>;
+  struct Decal {
+    PaintShape shape;
+    Eigen::Vector2d centre_W;
+    double reach_m;  ///< no part of it is further from its centre
+  };
   struct Content {
-    std::vector<PaintShape> holes, on_top;
+    std::vector<Decal> holes, on_top;
   };
 
+  static Decal disc(const Eigen::Vector2d& centre_W, double radius_m, const Bgr& colour);
+  static Decal rectangle(const Eigen::Vector2d& centre_W, double heading_rad, double length_m, double width_m,
+                         const Bgr& colour);
+  static Decal drawn_object(const Eigen::Vector2d& centre_W, Random& random);
   const Content& content(const Square& square);
-  void draw_blotches(const Square& square, std::vector<PaintShape>& holes) const;
-  void draw_objects(const Square& square, std::vector<PaintShape>& on_top) const;
-  void draw_spots(const Square& square, std::vector<PaintShape>& on_top) const;
+  Layout paint_near(const Square& square) const;
+  void draw_blotches(const Square& square, const Layout& paint, std::vector<Decal>& holes) const;
+  void draw_objects(const Square& square, const Layout& paint, std::vector<Decal>& on_top) const;
+  void draw_spots(const Square& square, std::vector<Decal>& on_top) const;
   void cut_gaps();
 
   Layout layout_;
@@ -44,8 +55,7 @@ class Decals {
   std::uint64_t seed_;
   double blotch_radius_m_;
   std::map<Square, Content> squares_;
-  std::vector<PaintShape> gaps_;
-  std::vector<Eigen::Vector2d> gap_centres_W_;
+  std::vector<Decal> gaps_;
   std::vector<const PaintShape*> holes_, on_top_;
 };
 
