@@ -47,6 +47,22 @@ void copy(const TilePixels& pixels, const Block& block, cv::Mat& bgr) {
 
 }  // namespace
 
+// The flat colour of the tiles from `begin` on, not yet filled in.
+struct FloorRenderer::FlatRun {
+  int begin;
+  Bgr colour;
+
+  void go_on(int row, int column, const Bgr& next, cv::Mat& bgr) {
+    if (next == colour) return;
+    fill_up_to(row, column, bgr);
+    begin = column;
+    colour = next;
+  }
+  void fill_up_to(int row, int column, cv::Mat& bgr) const {
+    fill(block_of(bgr, row, begin, column), colour, bgr);
+  }
+};
+
 FloorRenderer::FloorRenderer(const Layout& layout, const features::CameraModel& camera, const FloorLook& look,
                              std::uint64_t seed)
     : grid_(camera),
@@ -70,7 +86,7 @@ void FloorRenderer::render(const ShutterWarp::Motion& X_WC, ShutterWarp& shutter
 void FloorRenderer::draw(const Eigen::Isometry3d& X_WC, cv::Mat& bgr) {
   bgr.create(grid_.height_px(), grid_.width_px(), CV_8UC3);
   look_from(X_WC);
-  narrow(scene_, shutter_ ? shutter_->frame_rect() : grid_.frame_rect(), frame_);
+  narrow(scene_, rects().frame(), frame_);
   for (int row = 0; row < grid_.rows(); ++row) {
     render_row(row, bgr);
     if (light_.is_needed())
@@ -104,9 +120,9 @@ std::size_t FloorRenderer::border_count() const {
   return count;
 }
 
-// To the farthest of the image's corners.
+// A little past the farthest of the image's corners: over an exposure it sees more than at its middle.
 double FloorRenderer::reach_m(const Eigen::Isometry3d& X_WC) const {
-  const RayRect& frame = grid_.frame_rect();
+  const RayRect& frame = grid_.rects().frame();
   const double height_m = std::max(X_WC.translation().z(), 0.01);
   double reach = 0.0;
   for (const float x : {frame.x - frame.half_x, frame.x + frame.half_x})
@@ -115,7 +131,7 @@ double FloorRenderer::reach_m(const Eigen::Isometry3d& X_WC) const {
       const double across = ray_W.head<2>().norm();
       reach = std::max(reach, across / std::max(-ray_W.z(), across / kFarthestLook_heights));
     }
-  return reach * height_m;
+  return 1.1 * reach * height_m;
 }
 
 void FloorRenderer::add_paint(const FloorView& view, std::size_t first, std::size_t last) {
@@ -144,10 +160,6 @@ void FloorRenderer::add(const Bgr& colour, const ImageBorder* first, const Image
   scene_.shapes.push_back(shape);
 }
 
-const RayRect& FloorRenderer::tile_rect(int row, int column) const {
-  return shutter_ ? shutter_->tile_rect(row, column) : grid_.tile_rect(row, column);
-}
-
 void FloorRenderer::paint(int row, int column, TilePixels& pixels) const {
   if (!shutter_) return paint_tile(grid_.rays(row, column), tile_, pixels);
   std::array<ShutterWarp::Rays, ShutterOptions::kMostSamples> moved;
@@ -162,23 +174,31 @@ void FloorRenderer::paint(int row, int column, TilePixels& pixels) const {
 
 // Runs of flat tiles of one colour are filled in one go.
 void FloorRenderer::render_row(int row, cv::Mat& bgr) {
-  narrow(frame_, shutter_ ? shutter_->row_rect(row) : grid_.row_rect(row), row_);
+  narrow(frame_, rects().row(row), row_);
+  FlatRun run{0, row_.base};
+  for (int span = 0; span < rects().spans(); ++span) {
+    narrow(row_, rects().span(row, span), span_);
+    const int begin = span * kSpanTiles, end = std::min(begin + kSpanTiles, grid_.columns());
+    if (span_.is_flat()) {
+      run.go_on(row, begin, span_.base, bgr);
+    } else {
+      render_span(row, begin, end, run, bgr);
+    }
+  }
+  run.fill_up_to(row, grid_.columns(), bgr);
+}
+
+void FloorRenderer::render_span(int row, int begin, int end, FlatRun& run, cv::Mat& bgr) {
   TilePixels pixels;
-  int run_begin = 0;
-  Bgr run_colour = row_.base;
-  const auto end_run = [&](int column) { fill(block_of(bgr, row, run_begin, column), run_colour, bgr); };
-  for (int column = 0; column < grid_.columns(); ++column) {
-    narrow(row_, tile_rect(row, column), tile_);
-    if (tile_.is_flat() && tile_.base == run_colour) continue;
-    end_run(column);
-    run_begin = column;
-    run_colour = tile_.base;
+  for (int column = begin; column < end; ++column) {
+    narrow(span_, rects().tile(row, column), tile_);
+    run.go_on(row, column, tile_.base, bgr);
     if (tile_.is_flat()) continue;
+    run.fill_up_to(row, column, bgr);
     paint(row, column, pixels);
     copy(pixels, block_of(bgr, row, column, column + 1), bgr);
-    run_begin = column + 1;
+    run.begin = column + 1;
   }
-  end_run(grid_.columns());
 }
 
 }  // namespace lineservo::vehicle

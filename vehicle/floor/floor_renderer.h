@@ -40,7 +40,7 @@ class FloorRenderer {
 
  private:
   void draw(const Eigen::Isometry3d& X_WC, cv::Mat& bgr);
-  const RayRect& tile_rect(int row, int column) const;
+  const TileRects& rects() const { return shutter_ ? shutter_->rects() : grid_.rects(); }
   void paint(int row, int column, TilePixels& pixels) const;
   void look_from(const Eigen::Isometry3d& X_WC);
   void add_paint(const FloorView& view, std::size_t first, std::size_t last);
@@ -49,7 +49,9 @@ class FloorRenderer {
   void add(const Bgr& colour, const ImageBorder* first, const ImageBorder* last);
   std::size_t border_count() const;
   double reach_m(const Eigen::Isometry3d& X_WC) const;
+  struct FlatRun;
   void render_row(int row, cv::Mat& bgr);
+  void render_span(int row, int begin, int end, FlatRun& run, cv::Mat& bgr);
 
   TileGrid grid_;
   std::vector<PaintShape> paint_;
@@ -60,7 +62,7 @@ class FloorRenderer {
   // Of the pose at hand; kept for their memory.
   std::vector<ImageBorder> borders_;
   ImageBorder* next_border_ = nullptr;
-  Cell scene_, frame_, row_, tile_;
+  Cell scene_, frame_, row_, span_, tile_;
   const ShutterWarp* shutter_ = nullptr;  ///< of the exposure at hand; none when it takes no time
 };
 

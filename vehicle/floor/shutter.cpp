@@ -81,14 +81,6 @@ void stretch(float low, float high, float& centre, float& half) {
   half += 0.5F * (high - low) + kSlack;
 }
 
-RayRect around(const RayRect& a, const RayRect& b) {
-  const float left = std::min(a.x - a.half_x, b.x - b.half_x),
-              right = std::max(a.x + a.half_x, b.x + b.half_x);
-  const float top = std::min(a.y - a.half_y, b.y - b.half_y),
-              bottom = std::max(a.y + a.half_y, b.y + b.half_y);
-  return {0.5F * (left + right), 0.5F * (top + bottom), 0.5F * (right - left), 0.5F * (bottom - top)};
-}
-
 }  // namespace
 
 void ShutterOptions::validate() const {
@@ -107,14 +99,12 @@ double sample_delay_s(const ShutterOptions& options, int k) {
 }
 
 ShutterWarp::ShutterWarp(const TileGrid& grid, const ShutterOptions& options)
-    : grid_(&grid), options_(options) {
+    : grid_(&grid), options_(options), rects_(grid.rows(), grid.columns()) {
   options_.validate();
   if (options_.exposure_s == 0.0) options_.samples = 1;
   const auto corners = static_cast<std::size_t>((grid.rows() + 1) * (grid.columns() + 1));
   off_x_.resize(corners * static_cast<std::size_t>(options_.samples));
   off_y_.resize(off_x_.size());
-  tile_rects_.resize(static_cast<std::size_t>(grid.rows() * grid.columns()));
-  row_rects_.resize(static_cast<std::size_t>(grid.rows()));
 }
 
 std::size_t ShutterWarp::corner(int k, int row, int column) const {
@@ -146,19 +136,17 @@ void ShutterWarp::displace_corners(int k, int row, const Eigen::Matrix3d& H) {
 void ShutterWarp::bound() {
   for (int row = 0; row < grid_->rows(); ++row) {
     const Range x = range_of_row(off_x_, row), y = range_of_row(off_y_, row);
-    RayRect& whole_row = row_rects_[static_cast<std::size_t>(row)];
     for (int column = 0; column < grid_->columns(); ++column) {
       const auto left = static_cast<std::size_t>(column), right = left + 1;
-      RayRect rect = grid_->tile_rect(row, column);
+      RayRect rect = grid_->rects().tile(row, column);
       stretch(std::min(x.low[left], x.low[right]), std::max(x.high[left], x.high[right]), rect.x,
               rect.half_x);
       stretch(std::min(y.low[left], y.low[right]), std::max(y.high[left], y.high[right]), rect.y,
               rect.half_y);
-      tile_rects_[static_cast<std::size_t>(row * grid_->columns() + column)] = rect;
-      whole_row = column == 0 ? rect : around(whole_row, rect);
+      rects_.set(row, column, rect);
     }
-    frame_rect_ = row == 0 ? whole_row : around(frame_rect_, whole_row);
   }
+  rects_.close();
 }
 
 ShutterWarp::Range ShutterWarp::range_of_row(const std::vector<float>& off, int row) const {
@@ -169,10 +157,6 @@ ShutterWarp::Range ShutterWarp::range_of_row(const std::vector<float>& off, int 
     for (const int edge : {row, row + 1})
       widen(&off[corner(k, edge, 0)], corners, range.low.data(), range.high.data());
   return range;
-}
-
-const RayRect& ShutterWarp::tile_rect(int row, int column) const {
-  return tile_rects_[static_cast<std::size_t>(row * grid_->columns() + column)];
 }
 
 void ShutterWarp::rays(int row, int column, int k, Rays& moved) const {

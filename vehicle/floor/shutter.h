@@ -33,10 +33,8 @@ class ShutterWarp {
   void follow(const Motion& X_WC);
 
   int samples() const { return options_.samples; }
-  /// Bounds of the rays of all instants, as those of TileGrid.
-  const RayRect& tile_rect(int row, int column) const;
-  const RayRect& row_rect(int row) const { return row_rects_[static_cast<std::size_t>(row)]; }
-  const RayRect& frame_rect() const { return frame_rect_; }
+  /// Bounds of the rays of all instants.
+  const TileRects& rects() const { return rects_; }
   /// The rays of a tile at instant k, into memory of the caller's.
   struct Rays {
     float x[kTilePixels], y[kTilePixels];
@@ -58,8 +56,7 @@ class ShutterWarp {
   ShutterOptions options_;
   std::vector<float> corner_x_, corner_y_;  ///< the rays through the tiles' corners
   std::vector<float> off_x_, off_y_;        ///< how far they are displaced, instant by instant
-  std::vector<RayRect> tile_rects_, row_rects_;
-  RayRect frame_rect_;
+  TileRects rects_;
 };
 
 }  // namespace lineservo::vehicle

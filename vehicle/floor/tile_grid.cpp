@@ -42,17 +42,6 @@ RayRect rect_of(const TileRays& rays) {
   return rect;
 }
 
-RayRect rect_around(const RayRect* first, const RayRect* last) {
-  float x_min = first->x, x_max = first->x, y_min = first->y, y_max = first->y;
-  for (const RayRect* r = first; r != last; ++r) {
-    x_min = std::min(x_min, r->x - r->half_x);
-    x_max = std::max(x_max, r->x + r->half_x);
-    y_min = std::min(y_min, r->y - r->half_y);
-    y_max = std::max(y_max, r->y + r->half_y);
-  }
-  return rect_between(x_min, x_max, y_min, y_max);
-}
-
 // Central differences over one pixel; exact without distortion.
 RayJacobian slope_at(const CameraModel& camera, PixelPoint p) {
   const NormalizedPoint left = camera.normalize({p.x - 0.5, p.y}), right = camera.normalize({p.x + 0.5, p.y});
@@ -68,7 +57,8 @@ TileGrid::TileGrid(const CameraModel& camera)
       height_px_(camera.height_px()),
       columns_((camera.width_px() + kTileWidth_px - 1) / kTileWidth_px),
       rows_((camera.height_px() + kTileHeight_px - 1) / kTileHeight_px),
-      is_separable_(!camera.has_distortion()) {
+      is_separable_(!camera.has_distortion()),
+      rects_(rows_, columns_) {
   if (is_separable_) {
     store_separable_rays(camera);
   } else {
@@ -125,11 +115,9 @@ void TileGrid::store_slopes(const CameraModel& camera) {
 }
 
 void TileGrid::store_rects() {
-  for (int tile = 0; tile < rows_ * columns_; ++tile)
-    tile_rects_.push_back(rect_of(rays(tile / columns_, tile % columns_)));
   for (int row = 0; row < rows_; ++row)
-    row_rects_.push_back(rect_around(&tile_rects_[index(row, 0)], &tile_rects_[index(row, 0)] + columns_));
-  frame_rect_ = rect_around(row_rects_.data(), row_rects_.data() + row_rects_.size());
+    for (int column = 0; column < columns_; ++column) rects_.set(row, column, rect_of(rays(row, column)));
+  rects_.close();
 }
 
 }  // namespace lineservo::vehicle

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "features/geometry/camera_model.h"
+#include "vehicle/floor/tile_rects.h"
 
 namespace lineservo::vehicle {
 
@@ -10,12 +11,6 @@ namespace lineservo::vehicle {
 inline constexpr int kTileWidth_px = 16;
 inline constexpr int kTileHeight_px = 8;
 inline constexpr int kTilePixels = kTileWidth_px * kTileHeight_px;
-
-/// An upright rectangle of the normalised image plane.
-struct RayRect {
-  float x = 0.0F, y = 0.0F;            ///< centre
-  float half_x = 0.0F, half_y = 0.0F;  ///< half sides
-};
 
 /// How normalised coordinates change per pixel: ∂(x, y)/∂(u, v).
 struct RayJacobian {
@@ -44,10 +39,8 @@ class TileGrid {
   /// the lower one of the last.
   const float* corners_x(int row) const { return corners_x_.data() + row * (columns_ + 1); }
   const float* corners_y(int row) const { return corners_y_.data() + row * (columns_ + 1); }
-  /// Bounds of the rays through a tile, a row of tiles, and the frame; whole pixels, not just their centres.
-  const RayRect& tile_rect(int row, int column) const { return tile_rects_[index(row, column)]; }
-  const RayRect& row_rect(int row) const { return row_rects_[static_cast<std::size_t>(row)]; }
-  const RayRect& frame_rect() const { return frame_rect_; }
+  /// Bounds of the rays; whole pixels, not just their centres.
+  const TileRects& rects() const { return rects_; }
 
  private:
   std::size_t index(int row, int column) const { return static_cast<std::size_t>(row * columns_ + column); }
@@ -68,9 +61,7 @@ class TileGrid {
   std::vector<float> corners_x_;
   std::vector<float> corners_y_;
   std::vector<RayJacobian> slopes_;
-  std::vector<RayRect> tile_rects_;
-  std::vector<RayRect> row_rects_;
-  RayRect frame_rect_;
+  TileRects rects_;
 };
 
 }  // namespace lineservo::vehicle

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "vehicle/floor/clones.h"
+#include "vehicle/floor/shutter_options.h"
 
 namespace lineservo::vehicle {
 namespace {
@@ -101,18 +102,104 @@ LINESERVO_CLONES void count_crossings(const ShapeCoverage& shape, float* crossin
   }
 }
 
-void lay_shape(const TileRays& rays, const CrossedShape& shape, Layers& layers) {
-  ShapeCoverage covered;
-  covered.area.fill(1.0F);
-  covered.crossings.fill(0.0F);
-  Plane border_area;
-  for (int k = 0; k < shape.border_count; ++k) {
-    border_coverage(rays, *shape.borders[static_cast<std::size_t>(k)], border_area);
-    restrict_to(border_area.data(), covered);
+// Over an exposure the slope of a border hardly changes within a tile: it is taken at one instant for all,
+// and divisions become products.
+struct SlopePlanes {
+  Plane per_F, inverse_a, inverse_2ab, knee, b;
+};
+
+inline void store(const PixelSlope& slope, std::size_t i, SlopePlanes& planes) {
+  planes.per_F[i] = slope.per_F;
+  planes.inverse_a[i] = 1.0F / slope.a;
+  planes.inverse_2ab[i] = 1.0F / (2.0F * slope.a * slope.b);
+  planes.knee[i] = 0.5F * (slope.a - slope.b);
+  planes.b[i] = slope.b;
+}
+
+LINESERVO_CLONES void straight_slopes(const TileRays& rays, const ImageBorder& border, SlopePlanes& planes) {
+  const PixelSlope slope = pixel_slope(border.l0.x, border.l0.y, rays.slope);
+  for (std::size_t i = 0; i < kTilePixels; ++i) store(slope, i, planes);
+}
+
+LINESERVO_CLONES void round_slopes(const TileRays& rays, const ImageBorder& border, SlopePlanes& planes) {
+  const LinearForm l0 = border.l0, l1 = border.l1, l2 = border.l2;
+  const RayJacobian j = rays.slope;
+  for (std::size_t i = 0; i < kTilePixels; ++i) {
+    const float f1 = l1.at(rays.x[i], rays.y[i]), f2 = l2.at(rays.x[i], rays.y[i]);
+    const float per_r = 1.0F / std::max(std::sqrt(f1 * f1 + f2 * f2), 1e-20F);
+    const float F_x = (f1 * l1.x + f2 * l2.x) * per_r + l0.x, F_y = (f1 * l1.y + f2 * l2.y) * per_r + l0.y;
+    store(pixel_slope(F_x, F_y, j), i, planes);
   }
-  for (std::size_t c = 0; c < 3; ++c)
-    lay(covered.area.data(), static_cast<float>(shape.colour[c]), layers.bgr[c].data());
-  count_crossings(covered, layers.crossings.data());
+}
+
+// As covered_area().
+inline float area_by_slope(float e, const SlopePlanes& planes, std::size_t i) {
+  const float b = planes.b[i], t = std::abs(e), beyond = std::max(t - planes.knee[i], 0.0F);
+  const float m = std::min(beyond, b);
+  const float area = beyond >= b ? 0.5F : t * planes.inverse_a[i] - m * m * planes.inverse_2ab[i];
+  return e >= 0.0F ? 0.5F + area : 0.5F - area;
+}
+
+LINESERVO_CLONES void straight_coverage(const TileRays& rays, const ImageBorder& border,
+                                        const SlopePlanes& planes, float* coverage) {
+  const LinearForm l0 = border.l0;
+  for (std::size_t i = 0; i < kTilePixels; ++i)
+    coverage[i] = area_by_slope(-l0.at(rays.x[i], rays.y[i]) * planes.per_F[i], planes, i);
+}
+
+LINESERVO_CLONES void round_coverage(const TileRays& rays, const ImageBorder& border,
+                                     const SlopePlanes& planes, float* coverage) {
+  const LinearForm l0 = border.l0, l1 = border.l1, l2 = border.l2;
+  const float sign = -border.sign;
+  for (std::size_t i = 0; i < kTilePixels; ++i) {
+    const float f1 = l1.at(rays.x[i], rays.y[i]), f2 = l2.at(rays.x[i], rays.y[i]);
+    const float F = std::sqrt(f1 * f1 + f2 * f2) + l0.at(rays.x[i], rays.y[i]);
+    coverage[i] = area_by_slope(sign * F * planes.per_F[i], planes, i);
+  }
+}
+
+// The instants that a tile is drawn from. A single one is drawn by the exact slope of each pixel.
+struct Instants {
+  const TileRays* rays;
+  int count;
+
+  const TileRays& middle() const { return rays[count / 2]; }
+};
+
+// Calls use(k, coverage) for each instant.
+template <typename Use>
+void border_coverages(const Instants& instants, const ImageBorder& border, Use use) {
+  Plane coverage;
+  if (instants.count == 1) {
+    border_coverage(instants.rays[0], border, coverage);
+    return use(std::size_t{0}, coverage);
+  }
+  SlopePlanes slopes;
+  (border.is_round ? round_slopes : straight_slopes)(instants.middle(), border, slopes);
+  for (int k = 0; k < instants.count; ++k) {
+    if (border.is_round) {
+      round_coverage(instants.rays[k], border, slopes, coverage.data());
+    } else {
+      straight_coverage(instants.rays[k], border, slopes, coverage.data());
+    }
+    use(static_cast<std::size_t>(k), coverage);
+  }
+}
+
+// `layers` and `covered` hold one element for each instant.
+void lay_shape(const Instants& instants, const CrossedShape& shape, ShapeCoverage* covered, Layers* layers) {
+  for (int k = 0; k < instants.count; ++k) {
+    covered[k].area.fill(1.0F);
+    covered[k].crossings.fill(0.0F);
+  }
+  for (int i = 0; i < shape.border_count; ++i)
+    border_coverages(instants, *shape.borders[static_cast<std::size_t>(i)],
+                     [&](std::size_t k, const Plane& area) { restrict_to(area.data(), covered[k]); });
+  for (int k = 0; k < instants.count; ++k) {
+    for (std::size_t c = 0; c < 3; ++c)
+      lay(covered[k].area.data(), static_cast<float>(shape.colour[c]), layers[k].bgr[c].data());
+    count_crossings(covered[k], layers[k].crossings.data());
+  }
 }
 
 constexpr std::size_t kSamples = 64;
@@ -189,6 +276,12 @@ void start_from(const Bgr& base, Layers& layers) {
   for (std::size_t c = 0; c < 3; ++c) layers.bgr[c].fill(static_cast<float>(base[c]));
 }
 
+LINESERVO_CLONES int most_crossings(const float* crossings) {
+  int most = 0;
+  for (std::size_t i = 0; i < kTilePixels; ++i) most = std::max(most, static_cast<int>(crossings[i]));
+  return most;
+}
+
 LINESERVO_CLONES void accumulate(const float* plane, float* sum) {
   for (std::size_t i = 0; i < kTilePixels; ++i) sum[i] += plane[i];
 }
@@ -197,37 +290,40 @@ LINESERVO_CLONES void scale(float factor, float* plane) {
   for (std::size_t i = 0; i < kTilePixels; ++i) plane[i] *= factor;
 }
 
-void paint_single_border(const TileRays* instants, int count, const Cell& cell, Layers& layers) {
+void paint_single_border(const Instants& instants, const Cell& cell, Layers& layers) {
   const CrossedShape& shape = cell.shapes.front();
-  Plane area, here;
-  border_coverage(instants[0], *shape.borders[0], area);
-  for (int k = 1; k < count; ++k) {
-    border_coverage(instants[k], *shape.borders[0], here);
-    accumulate(here.data(), area.data());
-  }
-  if (count > 1) scale(1.0F / static_cast<float>(count), area.data());
+  Plane mean;
+  border_coverages(instants, *shape.borders[0], [&](std::size_t k, const Plane& area) {
+    if (k == 0) {
+      mean = area;
+    } else {
+      accumulate(area.data(), mean.data());
+    }
+  });
+  if (instants.count > 1) scale(1.0F / static_cast<float>(instants.count), mean.data());
   start_from(cell.base, layers);
   for (std::size_t c = 0; c < 3; ++c)
-    lay(area.data(), static_cast<float>(shape.colour[c]), layers.bgr[c].data());
+    lay(mean.data(), static_cast<float>(shape.colour[c]), layers.bgr[c].data());
 }
 
-void paint_shapes(const TileRays& rays, const Cell& cell, Layers& layers) {
-  start_from(cell.base, layers);
-  layers.crossings.fill(0.0F);
-  for (const CrossedShape& shape : cell.shapes) lay_shape(rays, shape, layers);
-  for (std::size_t i = 0; i < kTilePixels; ++i)
-    if (layers.crossings[i] > 1.0F) sample_pixel(rays, cell, i, layers);
-}
-
-void paint_shapes(const TileRays* instants, int count, const Cell& cell, Layers& layers) {
-  paint_shapes(instants[0], cell, layers);
-  Layers here;
-  for (int k = 1; k < count; ++k) {
-    paint_shapes(instants[k], cell, here);
-    for (std::size_t c = 0; c < 3; ++c) accumulate(here.bgr[c].data(), layers.bgr[c].data());
+// The mean ends in the first of the layers, one for each instant.
+void paint_shapes(const Instants& instants, const Cell& cell, Layers* layers) {
+  std::array<ShapeCoverage, ShutterOptions::kMostSamples> covered;
+  for (int k = 0; k < instants.count; ++k) {
+    start_from(cell.base, layers[k]);
+    layers[k].crossings.fill(0.0F);
   }
-  if (count == 1) return;
-  for (Plane& plane : layers.bgr) scale(1.0F / static_cast<float>(count), plane.data());
+  for (const CrossedShape& shape : cell.shapes) lay_shape(instants, shape, covered.data(), layers);
+  for (int k = 0; k < instants.count; ++k) {
+    if (most_crossings(layers[k].crossings.data()) <= 1) continue;
+    for (std::size_t i = 0; i < kTilePixels; ++i)
+      if (layers[k].crossings[i] > 1.0F) sample_pixel(instants.rays[k], cell, i, layers[k]);
+  }
+  if (instants.count == 1) return;
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (int k = 1; k < instants.count; ++k) accumulate(layers[k].bgr[c].data(), layers[0].bgr[c].data());
+    scale(1.0F / static_cast<float>(instants.count), layers[0].bgr[c].data());
+  }
 }
 
 }  // namespace
@@ -236,14 +332,15 @@ void paint_tile(const TileRays& rays, const Cell& cell, TilePixels& bgr) {
   paint_tile(&rays, 1, cell, bgr);
 }
 
-void paint_tile(const TileRays* instants, int count, const Cell& cell, TilePixels& bgr) {
-  Layers layers;
+void paint_tile(const TileRays* rays, int count, const Cell& cell, TilePixels& bgr) {
+  const Instants instants{rays, count};
+  std::array<Layers, ShutterOptions::kMostSamples> layers;
   if (cell.has_single_border()) {
-    paint_single_border(instants, count, cell, layers);
+    paint_single_border(instants, cell, layers[0]);
   } else {
-    paint_shapes(instants, count, cell, layers);
+    paint_shapes(instants, cell, layers.data());
   }
-  interleave(layers.bgr[0], layers.bgr[1], layers.bgr[2], bgr);
+  interleave(layers[0].bgr[0], layers[0].bgr[1], layers[0].bgr[2], bgr);
 }
 
 }  // namespace lineservo::vehicle
