@@ -28,7 +28,7 @@ struct Arguments {
   Block block;  ///< without a preset
   ComparisonOptions options;
   std::string tuning = "both";
-  std::optional<std::string> preset, out;
+  std::optional<std::string> preset, conditions, out;
   int jobs = default_jobs();
   bool json = false;
 };
@@ -68,6 +68,8 @@ ComparisonOptions options_of(const Arguments& a) {
   for (const std::string& name : a.block.controllers) servo::find_controller(name);
   ComparisonOptions options = a.options;
   options.blocks = a.preset ? preset_blocks(a) : std::vector<Block>{block_of(a)};
+  options.conditions =
+      a.conditions.value_or(std::string(a.preset ? find_preset(*a.preset).conditions : "paper"));
   options.tuning = a.tuning == "both"    ? Tuning::both
                    : a.tuning == "tuned" ? Tuning::tuned
                                          : Tuning::published;
@@ -124,11 +126,11 @@ void add_flight_options(CLI::App& command, Arguments& a) {
                                       "each controller at its paper's speed, where that gives one");
   own->excludes(speeds);
   CLI::Option* preset = command.add_option(
-      "--preset", a.preset, "a paper's experiment, its figures beside: topology, lfpf, grid-flight");
+      "--preset", a.preset, "a paper's experiment, its figures beside: topology, lfpf, grid-flight, vtp");
   for (CLI::Option* other : {instructions, layouts, speeds, own}) preset->excludes(other);
   add_list_option(command, "--controllers", a.block.controllers, "default: all that ship, or the preset's");
-  command.add_option("--conditions", a.options.conditions,
-                     "conditions that ship, or a YAML file (default paper)");
+  command.add_option("--conditions", a.conditions,
+                     "conditions that ship, or a YAML file (default paper, or the preset's)");
 }
 
 void add_run_options(CLI::App& command, Arguments& a) {

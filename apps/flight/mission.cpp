@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
 #include "apps/config/layout_file.h"
 #include "apps/config/layout_topology.h"
 #include "apps/config/text_file.h"
+#include "servo/law/controllers.h"
+#include "servo/plan/pursuit.h"
 
 namespace lineservo::apps {
 namespace {
@@ -30,15 +34,27 @@ std::size_t target_of(const servo::Topology& topology, const std::string& target
   throw InputError(fmt::format("{}; it has: {}", fault.what(), fmt::join(nodes, ", ")));
 }
 
+/// A disc that is painted as the end of a way is there to land on.
+bool is_end_marker(const vehicle::Layout& floor, std::size_t node) {
+  const auto lies_on = [&](const vehicle::LayoutMarker& marker) {
+    return marker.p_W == floor.nodes[node].p_W;
+  };
+  return std::any_of(floor.end_markers.begin(), floor.end_markers.end(), lies_on);
+}
+
 }  // namespace
 
 Mission prepare(const FlightRequest& request) {
   check_text(request);
-  servo::find_controller(request.controller);
+  const servo::Controller& controller = servo::find_controller(request.controller);
   vehicle::Layout floor = read_layout(find_data(DataKind::layout, request.layout));
   const servo::Topology topology = topology_of(floor);
-  servo::Plan plan = servo::compile(topology, target_of(topology, request.instruction), request.instruction);
-  return {request, std::move(floor), std::move(plan)};
+  const std::size_t target = target_of(topology, request.instruction);
+  const servo::Plan plan = servo::compile(topology, target, request.instruction);
+  const auto pursuit = controller.traits.pursues_line ? servo::pursuit_of(plan, topology) : std::nullopt;
+  Mission mission{request, std::move(floor), pursuit.value_or(plan)};
+  mission.request.land |= is_end_marker(mission.floor, target);
+  return mission;
 }
 
 FlownMission fly_mission(const Mission& mission, const std::function<bool(const FlightProgress&)>& progress) {

@@ -67,7 +67,9 @@ void Executive::observe(const Observation& observation) {
     line_angle_rad_.reset();
     line_offset_m_.reset();
   }
-  if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.x();
+  if (pursues() && observation.features.law.target) line_seen_ = observation.now;
+  if (last_odometry_)
+    travelled_m_ += along_way_m(between(*last_odometry_, observation.odometry_now).translation_m);
   last_odometry_ = observation.odometry_now;
 
   node_ = phase_ == Phase::follow ? node_told(observation) : std::nullopt;
@@ -82,6 +84,13 @@ void Executive::observe(const Observation& observation) {
   if (phase_ == Phase::align && tracker_.node_now(observation)) line_seen_ = observation.now;
   if (turns(phase_)) line_angle_rad_ = turn_.correct(observation);
   smooth_velocity(observation);
+}
+
+// Along the heading, which is the line's; a law that pursues the line leaves the heading where it is.
+double Executive::along_way_m(const Eigen::Vector2d& moved_H_m) const {
+  if (!pursues()) return moved_H_m.x();
+  const Eigen::Vector2d wanted(last_command_.forward_m_s, last_command_.left_m_s);
+  return wanted.norm() > 0.0 ? moved_H_m.dot(wanted.normalized()) : 0.0;
 }
 
 std::optional<NodeSighting> Executive::node_told(const Observation& observation) {
@@ -229,7 +238,7 @@ Command Executive::follow(const Observation& observation) {
 }
 
 Command Executive::follow_at(const Observation& observation, double speed_m_s, bool curved) {
-  const bool yaws_itself = traits_.steers_heading || (curved && traits_.yaws_on_bends);
+  const bool yaws_itself = traits_.steers_heading || (curved && traits_.yaws_on_bends) || pursues();
   const double held_rad_s = yaws_itself ? 0.0 : heading_hold_rad_s();
   Command command = law_->follow(observation, {speed_m_s, options_.phases.height_m, curved, held_rad_s});
   auto* velocity = std::get_if<VelocityCommand>(&command);
@@ -358,6 +367,10 @@ bool Executive::has_landed() const {
 
 const PlanStep* Executive::current_step() const {
   return step_ < plan_.steps.size() ? &plan_.steps[step_] : nullptr;
+}
+
+bool Executive::pursues() const {
+  return phase_ == Phase::follow && current_step() && current_step()->pursued;
 }
 
 void Executive::report(std::string kind, std::string detail) {

@@ -67,6 +67,7 @@ class Executive {
 
  private:
   void observe(const Observation& observation);
+  double along_way_m(const Eigen::Vector2d& moved_H_m) const;
   std::optional<NodeSighting> node_told(const Observation& observation);
   void smooth_velocity(const Observation& observation);
   Situation assess(const Observation& observation, bool on_ground);
@@ -96,6 +97,8 @@ class Executive {
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
   bool has_landed() const;
   const PlanStep* current_step() const;
+  /// The law leads along the line by itself, whatever the heading.
+  bool pursues() const;
   void report(std::string kind, std::string detail);
 
   Plan plan_;

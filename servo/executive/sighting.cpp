@@ -24,8 +24,18 @@ bool expects_disc(const PlanStep* step) {
   return step && step->expected.code == features::JunctionCode::start;
 }
 
+bool is_pursued(const PlanStep* step) {
+  return step && step->pursued;
+}
+
 bool expects_bend(const PlanStep* step) {
   return step && step->expected.bend != Bend::none;
+}
+
+features::CodeReading plain_line() {
+  features::CodeReading reading;
+  reading.smoothed = features::JunctionCode::straight;
+  return reading;
 }
 
 /// By two arms, of which one leads back and the other ahead to a side.
@@ -49,6 +59,7 @@ std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
 
 features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
   features::CodeReading reading = o.features.code;
+  if (is_pursued(step) && reading.smoothed != features::JunctionCode::start) return plain_line();
   if (expects_bend(step) && reading.smoothed == features::JunctionCode::straight)
     reading.line_ends_ahead = false;
   if (reading.smoothed != features::JunctionCode::start) return reading;

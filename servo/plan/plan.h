@@ -34,6 +34,7 @@ struct PlanStep {
   double edge_length_m = 0.0;  ///< since the step before; for time-outs only
   std::string node;            ///< for explaining the plan only
   bool edge_bends = false;     ///< the edge since the step before is not straight
+  bool pursued = false;        ///< the line leads to it whatever the heading; no code counts but its disc's
 };
 
 /// An instruction compiled to what the camera will see and what to do about it.
