@@ -5,40 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "servo/executive/approach.h"
-#include "servo/executive/corner.h"
+#include "servo/executive/executive_options.h"
 #include "servo/executive/junction_matcher.h"
-#include "servo/executive/node_tracker.h"
-#include "servo/executive/phase.h"
+#include "servo/executive/pilot.h"
 #include "servo/executive/sighting.h"
-#include "servo/executive/turn.h"
-#include "servo/executive/turn_profile.h"
-#include "servo/law/dock_law.h"
 #include "servo/law/follow_law.h"
-#include "servo/law/limits.h"
 #include "servo/plan/plan.h"
 
 namespace lineservo::servo {
-
-struct ExecutiveOptions {
-  double speed_m_s = 0.1;
-  PhaseOptions phases;
-  ApproachOptions approach;
-  CornerOptions corner;
-  TurnOptions turn;
-  DockOptions dock;
-  NodeTracker::Options tracker;
-  CommandLimits limits;
-  int confirm_frames = 2;
-  double leaving_heights =
-      0.7;  ///< a node left behind is in view for so far a way, in heights: half the view
-  double climb_rate_m_s = 0.4;
-  double heading_gain_per_s = 0.5;  ///< for laws that do not steer the heading
-  double heading_rate_limit_rad_s = 0.1;
-  double blind_share = 0.4;    ///< of the height of flight, below which a node is no guide for landing
-  double descent_share = 0.8;  ///< height aimed at on the way down, of that now
-  double speed_time_constant_s = 0.5;  ///< over which the speed that counts as rest is averaged
-};
 
 /// Something worth a line in events.csv.
 struct ExecutiveEvent {
@@ -73,27 +47,9 @@ class Executive {
   Situation assess(const Observation& observation, bool on_ground);
   void enter(Phase phase, const Observation& observation);
   void pass_node(Time now);
-  Command command(const Observation& observation);
-  Command shape(const Command& command, const Observation& observation, double dt_s);
+  void begin_leg(Phase from, const Observation& observation);
+  Orders orders() const;
 
-  VelocityCommand climb(const Observation& observation) const;
-  VelocityCommand stay(const Observation& observation, double yaw_rate_rad_s = 0.0) const;
-  Command align(const Observation& observation);
-  Command follow(const Observation& observation);
-  Command follow_at(const Observation& observation, double speed_m_s, bool curved);
-  double heading_hold_rad_s() const;
-  VelocityCommand hold_node(const Observation& observation);
-  Command hover(const Observation& observation);
-  Command land(const Observation& observation);
-  VelocityCommand corner(const Observation& observation);
-  VelocityCommand turn(const Observation& observation);
-
-  double approach_speed(const Observation& observation) const;
-  CornerArc planned_arc() const;
-  CornerArc arc_from_here(const Observation& observation) const;
-  std::optional<CornerPath> corner_path(const Observation& observation) const;
-  std::optional<double> stop_ahead_m(const Observation& observation) const;
-  double turn_left(const Observation& observation) const;
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
   bool has_landed() const;
   const PlanStep* current_step() const;
@@ -102,12 +58,10 @@ class Executive {
   void report(std::string kind, std::string detail);
 
   Plan plan_;
-  std::unique_ptr<FollowLaw> law_;
   LawTraits traits_;
   ExecutiveOptions options_;
-  DockLaw dock_law_;
+  Pilot pilot_;
   JunctionMatcher matcher_;
-  NodeTracker tracker_;
   CentroidBend centroid_bend_;
 
   Phase phase_ = Phase::take_off;
@@ -119,14 +73,10 @@ class Executive {
   Time goal_began_{0};  ///< since when the phase's goal holds
   bool goal_held_ = false;
   Time line_seen_{0};
-  std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
   double travelled_m_ = 0.0;  ///< forward: swaying from side to side brings no node nearer
   Time node_passed_{0};       ///< or the start of the leg
   std::optional<Motion> last_odometry_;
   Eigen::Vector2d velocity_H_m_s_ = Eigen::Vector2d::Zero();  ///< averaged, drift included over a node
-  Turn turn_;
-  CornerArc arc_;  ///< of the corner that is being flown
-  VelocityCommand last_command_;
   std::optional<Time> last_tick_;
   std::vector<ExecutiveEvent> events_;
 };
