@@ -7,6 +7,7 @@
 #include "apps/config/input_error.h"
 #include "apps/config/layout_file.h"
 #include "apps/config/layout_topology.h"
+#include "apps/config/mission_file.h"
 #include "apps/config/text_file.h"
 
 namespace lineservo::apps {
@@ -30,6 +31,25 @@ std::size_t target_of(const servo::Topology& topology, const std::string& target
   throw InputError(fmt::format("{}; it has: {}", fault.what(), fmt::join(nodes, ", ")));
 }
 
+servo::Plan mission_plan(const servo::Topology& topology, const FlightRequest& request) {
+  const MissionFile mission = read_mission(find_data(DataKind::mission, request.instruction));
+  servo::PlanBuilder builder(topology, request.instruction);
+  for (const MissionTarget& target : mission.targets) {
+    try {
+      const std::size_t node = target.target == kReturn ? topology.start : target_of(topology, target.target);
+      builder.visit({node, target.target, target.stop});
+    } catch (const std::exception& fault) {
+      throw InputError(fmt::format("{}:{}: {}", mission.file.string(), target.line, fault.what()));
+    }
+  }
+  return builder.plan();
+}
+
+servo::Plan plan_of(const servo::Topology& topology, const FlightRequest& request) {
+  if (is_mission_file(request.instruction)) return mission_plan(topology, request);
+  return servo::compile(topology, target_of(topology, request.instruction), request.instruction);
+}
+
 }  // namespace
 
 Mission prepare(const FlightRequest& request) {
@@ -37,7 +57,7 @@ Mission prepare(const FlightRequest& request) {
   servo::find_controller(request.controller);
   vehicle::Layout floor = read_layout(find_data(DataKind::layout, request.layout));
   const servo::Topology topology = topology_of(floor);
-  servo::Plan plan = servo::compile(topology, target_of(topology, request.instruction), request.instruction);
+  servo::Plan plan = plan_of(topology, request);
   return {request, std::move(floor), std::move(plan)};
 }
 

@@ -19,7 +19,7 @@ VelocityCommand moving_as(const Observation& o) {
 /// Phases that go by a place: the start marker or a node.
 bool tracks_node(Phase phase) {
   return phase == Phase::align || phase == Phase::corner || phase == Phase::dock || phase == Phase::turn ||
-         phase == Phase::hover || phase == Phase::land;
+         phase == Phase::hover || phase == Phase::land || phase == Phase::look || phase == Phase::relaunch;
 }
 
 std::string told(const NodeSighting& node) {
@@ -28,7 +28,12 @@ std::string told(const NodeSighting& node) {
 }
 
 bool turns(Phase phase) {
-  return phase == Phase::turn || phase == Phase::corner;
+  return phase == Phase::turn || phase == Phase::corner || phase == Phase::look;
+}
+
+/// A corner that is ended at rest is the same turn still.
+bool begins_turn(Phase from, Phase to) {
+  return turns(to) && !(from == Phase::corner && to == Phase::turn);
 }
 
 }  // namespace
@@ -74,6 +79,8 @@ void Executive::observe(const Observation& observation) {
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
         phase_ == Phase::align ? disc_sighting(observation) : node_sighting(observation, current_step());
+    if (!sighting && turns(phase_))
+      sighting = dead_end_sighting(observation, current_step(), tracker_.node_at_capture(observation));
     const bool is_left_behind = !tracks_node(phase_) && !node_ && sighting && sighting->x() < 0.0;
     if (is_left_behind) sighting.reset();  // still in view, but not the next one
     tracker_.observe(observation, sighting);
@@ -81,6 +88,7 @@ void Executive::observe(const Observation& observation) {
   }
   if (phase_ == Phase::align && tracker_.node_now(observation)) line_seen_ = observation.now;
   if (turns(phase_)) line_angle_rad_ = turn_.correct(observation);
+  if (phase_ == Phase::look) lookout_.observe(observation);
   smooth_velocity(observation);
 }
 
@@ -122,6 +130,8 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   }
   s.servos_on_node = traits_.servos_on_node;
   s.on_ground = on_ground;
+  s.is_last = is_last_step();
+  s.gave_up = abort_reason_ != AbortReason::none;
   const bool holds = goal_holds(phase_, s, options_.phases);
   if (holds && !goal_held_) goal_began_ = observation.now;
   goal_held_ = holds;
@@ -142,10 +152,11 @@ void Executive::pass_node(Time now) {
 }
 
 void Executive::enter(Phase phase, const Observation& observation) {
-  if (turns(phase) && !turns(phase_)) {
-    turn_ = Turn(observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0), current_step()->turn_rad);
-  }
-  if (phase == Phase::dock || phase == Phase::corner) dock_law_.reset();
+  if (phase_ == Phase::look) report("look", lookout_.told() + " at " + current_step()->node);
+  if (begins_turn(phase_, phase)) turn_ = turn_in(phase, observation);
+  if (phase == Phase::look) lookout_ = Lookout(turn_.heading_in_rad());
+  if (phase == Phase::dock || phase == Phase::corner || phase == Phase::relaunch) dock_law_.reset();
+  if (phase == Phase::relaunch) tracker_.reset();
   if (phase == Phase::corner) arc_ = arc_from_here(observation);
   if (phase == Phase::follow) {
     const auto corner = phase_ == Phase::corner ? corner_path(observation) : std::nullopt;
@@ -168,6 +179,11 @@ void Executive::enter(Phase phase, const Observation& observation) {
   line_seen_ = observation.now;
 }
 
+Turn Executive::turn_in(Phase phase, const Observation& observation) const {
+  const double heading_in_rad = observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0);
+  return Turn(heading_in_rad, phase == Phase::look ? 2.0 * features::kPi : current_step()->turn_rad);
+}
+
 Command Executive::command(const Observation& observation) {
   switch (phase_) {
     case Phase::take_off:
@@ -181,6 +197,7 @@ Command Executive::command(const Observation& observation) {
     case Phase::dock:
       return hold_node(observation);
     case Phase::turn:
+    case Phase::look:
       return turn(observation);
     case Phase::hover:
       return hover(observation);
@@ -188,6 +205,10 @@ Command Executive::command(const Observation& observation) {
       return stay(observation);
     case Phase::land:
       return land(observation);
+    case Phase::rest:
+      return LandCommand{};
+    case Phase::relaunch:
+      return relaunch(observation);
     case Phase::finished:
       return has_landed() ? Command(LandCommand{}) : Command(stay(observation));
   }
@@ -335,6 +356,12 @@ Command Executive::land(const Observation& observation) {
                         {*node, line_angle_rad_, 0.0, options_.descent_share * observation.height_m});
 }
 
+// Straight up while the camera is too low to see the node.
+VelocityCommand Executive::relaunch(const Observation& observation) {
+  const bool sees = traits_.servos_on_node && tracker_.node_now(observation);
+  return sees ? hold_node(observation) : climb(observation);
+}
+
 VelocityCommand Executive::turn(const Observation& observation) {
   const double rate = turn_rate(turn_left(observation), options_.turn);
   const auto node = tracker_.node_now(observation);
@@ -353,7 +380,7 @@ double Executive::turn_left(const Observation& observation) const {
 
 // A flight that was broken off ends on the ground as well, and has to stay there.
 bool Executive::has_landed() const {
-  return options_.phases.land || abort_reason_ != AbortReason::none;
+  return options_.phases.land || plan_.steps.back().stop.land || abort_reason_ != AbortReason::none;
 }
 
 const PlanStep* Executive::current_step() const {

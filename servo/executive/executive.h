@@ -8,6 +8,7 @@
 #include "servo/executive/approach.h"
 #include "servo/executive/corner.h"
 #include "servo/executive/junction_matcher.h"
+#include "servo/executive/lookout.h"
 #include "servo/executive/node_tracker.h"
 #include "servo/executive/phase.h"
 #include "servo/executive/sighting.h"
@@ -62,6 +63,8 @@ class Executive {
   /// How many nodes of the plan were recognised as expected.
   int nodes_recognised() const { return nodes_recognised_; }
   const Plan& plan() const { return plan_; }
+  /// A landing now is the end of the flight: no target comes after it, or the flight was broken off.
+  bool ends_on_ground() const { return abort_reason_ != AbortReason::none || is_last_step(); }
   /// The events since the last call.
   std::vector<ExecutiveEvent> take_events();
 
@@ -84,6 +87,7 @@ class Executive {
   VelocityCommand hold_node(const Observation& observation);
   Command hover(const Observation& observation);
   Command land(const Observation& observation);
+  VelocityCommand relaunch(const Observation& observation);
   VelocityCommand corner(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
 
@@ -95,6 +99,8 @@ class Executive {
   double turn_left(const Observation& observation) const;
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
   bool has_landed() const;
+  bool is_last_step() const { return step_ + 1 >= plan_.steps.size(); }
+  Turn turn_in(Phase phase, const Observation& observation) const;
   const PlanStep* current_step() const;
   void report(std::string kind, std::string detail);
 
@@ -122,6 +128,7 @@ class Executive {
   std::optional<Motion> last_odometry_;
   Eigen::Vector2d velocity_H_m_s_ = Eigen::Vector2d::Zero();  ///< averaged, drift included over a node
   Turn turn_;
+  Lookout lookout_;
   CornerArc arc_;  ///< of the corner that is being flown
   VelocityCommand last_command_;
   std::optional<Time> last_tick_;
