@@ -83,7 +83,8 @@ TruthSample sample(const vehicle::Quadrotor& quadrotor, const servo::Executive& 
 }
 
 std::unique_ptr<vehicle::Wind> make_wind(const FlightRequest& request) {
-  return std::make_unique<vehicle::Weather>(weather_parameters(request.settings.wind, request.seed), request.seed);
+  return std::make_unique<vehicle::Weather>(weather_parameters(request.settings.wind, request.seed),
+                                            request.seed);
 }
 
 vehicle::StartPlace start_facing(const FlightRequest& request, const vehicle::Layout& floor,
@@ -108,7 +109,8 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
                   perception_options(request.settings.features, controller_of(request))),
       executive_(plan, controller_of(request).make(request.settings.laws), controller_of(request).traits,
                  executive_options(request.settings, request.land)),
-      latency_known_(draw_known_latency(request)) {}
+      latency_known_(draw_known_latency(request)),
+      time_limit_s_(request.settings.time_limit_s * static_cast<double>(target_steps(plan).size())) {}
 
 FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {
   const Clock::time_point begin = Clock::now();
@@ -225,9 +227,13 @@ void Flight::log(const servo::Observation& observation, const vehicle::Frame& fr
 
 bool Flight::is_over() const {
   const bool on_ground = quadrotor_.mode() == vehicle::AutopilotMode::landed;
-  const bool gave_up = executive_.phase() == Phase::land && on_ground;
+  const bool gave_up = executive_.phase() == Phase::land && on_ground && executive_.ends_on_ground();
   return executive_.phase() == Phase::finished || gave_up || quadrotor_.crashed() || record_.interrupted ||
-         vehicle::seconds(quadrotor_.now()) >= request_.settings.time_limit_s;
+         is_out_of_time();
+}
+
+bool Flight::is_out_of_time() const {
+  return vehicle::seconds(quadrotor_.now()) >= time_limit_s_;
 }
 
 void Flight::finish() {
@@ -236,7 +242,7 @@ void Flight::finish() {
   record_.steps_done = executive_.nodes_recognised();
   record_.crashed = quadrotor_.crashed();
   record_.landed = quadrotor_.mode() == vehicle::AutopilotMode::landed;
-  record_.out_of_time = vehicle::seconds(quadrotor_.now()) >= request_.settings.time_limit_s;
+  record_.out_of_time = is_out_of_time();
 }
 
 }  // namespace lineservo::apps

@@ -44,6 +44,7 @@ class Flight {
   void send(const servo::Command& command);
   void log(const servo::Observation& observation, const vehicle::Frame& frame, const servo::Command& command);
   bool is_over() const;
+  bool is_out_of_time() const;
   void finish();
 
   FlightRequest request_;
@@ -54,6 +55,7 @@ class Flight {
   servo::Odometry odometry_;
   std::deque<TruthSample> exposures_;  ///< of the frames under way
   vehicle::Time latency_known_;        ///< what the law takes the camera's latency for
+  double time_limit_s_;                ///< that of the settings, for each target
   FlightRecord record_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 /// Phases that go by a place: the start marker or a node.
 bool tracks_node(Phase phase) {
   return phase == Phase::align || phase == Phase::corner || phase == Phase::dock || phase == Phase::turn ||
-         phase == Phase::hover || phase == Phase::land;
+         phase == Phase::hover || phase == Phase::land || phase == Phase::look || phase == Phase::relaunch;
 }
 
 std::string told(const NodeSighting& node) {
@@ -54,12 +54,15 @@ void Executive::observe(const Observation& observation) {
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
         phase_ == Phase::align ? disc_sighting(observation) : node_sighting(observation, current_step());
+    if (!sighting && turns(phase_))
+      sighting = dead_end_sighting(observation, current_step(), pilot_.node_at_capture(observation));
     const bool is_left_behind = !tracks_node(phase_) && !node_ && sighting && sighting->x() < 0.0;
     if (is_left_behind) sighting.reset();  // still in view, but not the next one
     pilot_.see_node(observation, sighting, tracks_node(phase_));
   }
   if (phase_ == Phase::align && pilot_.node_now(observation)) line_seen_ = observation.now;
   if (turns(phase_)) pilot_.see_turn(observation);
+  if (phase_ == Phase::look) lookout_.observe(observation);
   smooth_velocity(observation);
 }
 
@@ -104,6 +107,8 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.past_corner = phase_ == Phase::corner && pilot_.past_corner(observation);
   s.servos_on_node = traits_.servos_on_node;
   s.on_ground = on_ground;
+  s.is_last = is_last_step();
+  s.gave_up = abort_reason_ != AbortReason::none;
   const bool holds = goal_holds(phase_, s, options_.phases);
   if (holds && !goal_held_) goal_began_ = observation.now;
   goal_held_ = holds;
@@ -125,7 +130,9 @@ void Executive::pass_node(Time now) {
 
 void Executive::enter(Phase phase, const Observation& observation) {
   const Phase from = std::exchange(phase_, phase);
+  if (from == Phase::look) report("look", lookout_.told() + " at " + current_step()->node);
   pilot_.change(from, orders(), observation);
+  if (phase == Phase::look) lookout_ = Lookout(pilot_.heading_in_rad());
   if (phase == Phase::follow) begin_leg(from, observation);
   report("phase", std::string(name(phase)) +
                       (phase == Phase::aborted ? ": " + std::string(name(abort_reason_)) : std::string()));
@@ -155,7 +162,7 @@ Eigen::Vector2d Executive::node_drift_H_m_s(const Observation& observation) cons
 
 // A flight that was broken off ends on the ground as well, and has to stay there.
 bool Executive::has_landed() const {
-  return options_.phases.land || abort_reason_ != AbortReason::none;
+  return options_.phases.land || plan_.steps.back().stop.land || abort_reason_ != AbortReason::none;
 }
 
 const PlanStep* Executive::current_step() const {

@@ -7,6 +7,7 @@
 
 #include "servo/executive/executive_options.h"
 #include "servo/executive/junction_matcher.h"
+#include "servo/executive/lookout.h"
 #include "servo/executive/pilot.h"
 #include "servo/executive/sighting.h"
 #include "servo/law/follow_law.h"
@@ -36,6 +37,8 @@ class Executive {
   /// How many nodes of the plan were recognised as expected.
   int nodes_recognised() const { return nodes_recognised_; }
   const Plan& plan() const { return plan_; }
+  /// A landing now is the end of the flight: no target comes after it, or the flight was broken off.
+  bool ends_on_ground() const { return abort_reason_ != AbortReason::none || is_last_step(); }
   /// The events since the last call.
   std::vector<ExecutiveEvent> take_events();
 
@@ -52,6 +55,7 @@ class Executive {
 
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
   bool has_landed() const;
+  bool is_last_step() const { return step_ + 1 >= plan_.steps.size(); }
   const PlanStep* current_step() const;
   /// The law leads along the line by itself, whatever the heading.
   bool pursues() const;
@@ -63,6 +67,7 @@ class Executive {
   Pilot pilot_;
   JunctionMatcher matcher_;
   CentroidBend centroid_bend_;
+  Lookout lookout_;
 
   Phase phase_ = Phase::take_off;
   AbortReason abort_reason_ = AbortReason::none;

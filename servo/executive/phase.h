@@ -9,8 +9,23 @@
 namespace lineservo::servo {
 
 /// What the vehicle is doing. `corner` is a turn that is flown without a stop. `aborted` hovers for a while
-/// and then lands; `finished` is the end of the flight.
-enum class Phase { take_off, align, follow, corner, turn, dock, hover, land, aborted, finished };
+/// and then lands; `finished` is the end of the flight. Between two targets of a mission: `look` turns once
+/// about itself, `rest` stands on the ground, `relaunch` comes back to the height above the same node.
+enum class Phase {
+  take_off,
+  align,
+  follow,
+  corner,
+  turn,
+  dock,
+  hover,
+  land,
+  aborted,
+  finished,
+  look,
+  rest,
+  relaunch
+};
 
 std::string_view name(Phase phase);
 
@@ -69,6 +84,8 @@ struct Situation {
   bool past_corner = false;     ///< the arc lies behind
   bool servos_on_node = false;  ///< the law docks; others stop on the confirmed code
   bool on_ground = false;
+  bool is_last = true;   ///< no target comes after the step
+  bool gave_up = false;  ///< the flight was broken off
 };
 
 /// Each is one condition of the transition function.
@@ -76,6 +93,8 @@ bool at_height(const Situation& s, const PhaseOptions& o);
 /// On the line's heading; a law that docks also above the start marker or, without one, on the line.
 bool aligned(const Situation& s, const PhaseOptions& o);
 bool docked(const Situation& s, const PhaseOptions& o);
+/// At height, and a law that docks above its node.
+bool relaunched(const Situation& s, const PhaseOptions& o);
 /// By the next line's angle; a law that turns where its code came may not see that line yet and goes by the
 /// gyro.
 bool turned(const Situation& s, const PhaseOptions& o);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "features/geometry/angles.h"
 #include "servo/law/height_rate.h"
 
 namespace lineservo::servo {
@@ -12,6 +13,11 @@ namespace {
 VelocityCommand moving_as(const Observation& o) {
   if (!o.v_H_m_s.allFinite()) return {};
   return {o.v_H_m_s.x(), o.v_H_m_s.y(), o.v_H_m_s.z(), 0.0};
+}
+
+/// A corner that is ended at rest is the same turn still.
+bool begins_turn(Phase from, Phase to) {
+  return turns(to) && !(from == Phase::corner && to == Phase::turn);
 }
 
 }  // namespace
@@ -42,12 +48,17 @@ void Pilot::see_node(const Observation& observation, const std::optional<Eigen::
 
 void Pilot::change(Phase from, const Orders& orders, const Observation& observation) {
   const Phase to = orders.phase;
-  if (turns(to) && !turns(from)) {
-    turn_ = Turn(observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0), orders.step->turn_rad);
-  }
+  if (begins_turn(from, to)) turn_ = turn_in(orders, observation);
   if (to == Phase::corner) arc_ = arc_from_here(orders.step, observation);
-  if (to == Phase::dock || to == Phase::corner || to == Phase::align) dock_law_.reset();
+  if (to == Phase::dock || to == Phase::corner || to == Phase::align || to == Phase::relaunch)
+    dock_law_.reset();
+  if (to == Phase::relaunch) tracker_.reset();
   if (to == Phase::follow || to == Phase::align) law_->reset();
+}
+
+Turn Pilot::turn_in(const Orders& orders, const Observation& observation) const {
+  const double heading_in_rad = observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0);
+  return Turn(heading_in_rad, orders.phase == Phase::look ? 2.0 * features::kPi : orders.step->turn_rad);
 }
 
 Command Pilot::fly(const Orders& orders, const Observation& observation, double dt_s) {
@@ -87,6 +98,7 @@ Command Pilot::command(const Orders& orders, const Observation& observation) {
     case Phase::dock:
       return hold_node(observation);
     case Phase::turn:
+    case Phase::look:
       return turn(observation);
     case Phase::hover:
       return hover(observation);
@@ -94,6 +106,10 @@ Command Pilot::command(const Orders& orders, const Observation& observation) {
       return stay(observation);
     case Phase::land:
       return land(observation);
+    case Phase::rest:
+      return LandCommand{};
+    case Phase::relaunch:
+      return relaunch(observation);
     case Phase::finished:
       return orders.keeps_landed ? Command(LandCommand{}) : Command(stay(observation));
   }
@@ -241,6 +257,12 @@ Command Pilot::land(const Observation& observation) {
   if (!node) return LandCommand{};
   return dock_law_.hold(observation,
                         {*node, line_angle_rad_, 0.0, options_.descent_share * observation.height_m});
+}
+
+// Straight up while the camera is too low to see the node.
+VelocityCommand Pilot::relaunch(const Observation& observation) {
+  const bool sees = traits_.servos_on_node && tracker_.node_now(observation);
+  return sees ? hold_node(observation) : climb(observation);
 }
 
 // Straight down, less the drift that was learnt above the node.

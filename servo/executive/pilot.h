@@ -47,6 +47,12 @@ class Pilot {
   Eigen::Vector2d drift_H_m_s(const Observation& observation) const {
     return dock_law_.drift_H_m_s(observation);
   }
+  /// The same node as it was when the frame was taken.
+  std::optional<Eigen::Vector2d> node_at_capture(const Observation& observation) const {
+    return tracker_.node_at_capture(observation);
+  }
+  /// Of the dead reckoning, with which the turn began.
+  double heading_in_rad() const { return turn_.heading_in_rad(); }
   double turn_left_rad(const Observation& observation) const { return turn_.left_rad(observation); }
   /// The turn that comes can be flown without a stop.
   bool rounds_corner(const PlanStep* step, const Observation& observation) const;
@@ -70,6 +76,8 @@ class Pilot {
   VelocityCommand hold_node(const Observation& observation);
   Command hover(const Observation& observation);
   Command land(const Observation& observation);
+  VelocityCommand relaunch(const Observation& observation);
+  Turn turn_in(const Orders& orders, const Observation& observation) const;
   VelocityCommand sink(const Observation& observation) const;
   VelocityCommand corner(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
@@ -91,9 +99,9 @@ class Pilot {
   VelocityCommand last_command_;
 };
 
-/// Phases that change the heading from one edge to the next.
+/// Phases that change the heading from one edge to the next, or to the same again.
 constexpr bool turns(Phase phase) {
-  return phase == Phase::turn || phase == Phase::corner;
+  return phase == Phase::turn || phase == Phase::corner || phase == Phase::look;
 }
 
 }  // namespace lineservo::servo

@@ -28,6 +28,10 @@ bool is_pursued(const PlanStep* step) {
   return step && step->pursued;
 }
 
+bool expects_dead_end(const PlanStep* step) {
+  return step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
+}
+
 bool expects_bend(const PlanStep* step) {
   return step && step->expected.bend != Bend::none;
 }
@@ -72,12 +76,23 @@ features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
 std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step) {
   if (expects_disc(step)) return disc_sighting(o);
   if (o.features.junction) return floor_point_m(o.features.junction->centre, o.capture_height_m);
-  const bool dead_end =
-      step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
-  if (dead_end && line_to_follow(o) && o.features.code.line_ends_ahead) {
+  if (expects_dead_end(step) && line_to_follow(o) && o.features.code.line_ends_ahead) {
     return floor_point_m(line_to_follow(o)->end, o.capture_height_m);
   }
   return std::nullopt;
+}
+
+std::optional<Eigen::Vector2d> dead_end_sighting(const Observation& o, const PlanStep* step,
+                                                 const std::optional<Eigen::Vector2d>& where_m) {
+  if (!expects_dead_end(step) || !where_m) return std::nullopt;
+  std::optional<Eigen::Vector2d> nearest_m;
+  for (const features::LineFeature& line : o.features.lines) {
+    for (const features::LevelPoint& end : {line.begin, line.end}) {
+      const Eigen::Vector2d end_m = floor_point_m(end, o.capture_height_m);
+      if (!nearest_m || (end_m - *where_m).norm() < (*nearest_m - *where_m).norm()) nearest_m = end_m;
+    }
+  }
+  return nearest_m;
 }
 
 Bend bend_sighting(const Observation& o, const PlanStep* step) {

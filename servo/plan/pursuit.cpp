@@ -15,7 +15,7 @@ bool passes_branch(const Plan& plan, const Topology& topology) {
 std::optional<Plan> pursuit_of(const Plan& plan, const Topology& topology) {
   const PlanStep& last = plan.steps.back();
   const bool ends_on_disc = last.expected.code == features::JunctionCode::start;
-  if (!ends_on_disc || passes_branch(plan, topology)) return std::nullopt;
+  if (!ends_on_disc || passes_branch(plan, topology) || target_steps(plan).size() > 1) return std::nullopt;
   PlanStep whole = last;
   whole.pursued = true;
   whole.edge_bends = true;
