@@ -192,7 +192,6 @@ void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
   number("servo.dock.drift_time_constant_s", e.dock.drift_time_constant_s, 0.05, 60.0);
   number("servo.dock.drift_limit_m_s", e.dock.drift_limit_m_s, 0.0, 2.0);
   number("executive.leaving_heights", e.leaving_heights, 0.1, 3.0);
-  number("executive.touch_down_m", e.touch_down_m, 0.01, 3.0);
   whole("executive.confirm_frames", e.confirm_frames, 1, 30);
   number("executive.climb_rate_m_s", e.climb_rate_m_s, 0.05, 2.0);
   number("executive.approach_deceleration_m_s2", e.approach.deceleration_m_s2, 0.01, 5.0);

@@ -27,7 +27,7 @@ struct ExecutiveOptions {
   double heading_rate_limit_rad_s = 0.1;
   double blind_share = 0.4;    ///< of the height of flight, below which a node is no guide for landing
   double sink_rate_m_s = 0.2;  ///< from there on
-  double touch_down_m = 0.2;   ///< height from which the autopilot lands by itself
+  double touch_down_m = 0.15;  ///< height from which the autopilot lands by itself, just above the gear
   double descent_share = 0.8;  ///< height aimed at on the way down, of that now
   double speed_time_constant_s = 0.5;  ///< over which the speed that counts as rest is averaged
 };
