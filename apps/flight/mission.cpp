@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
 #include "apps/config/layout_file.h"
@@ -20,6 +22,12 @@ void check_text(const FlightRequest& request) {
                                    {"--conditions", &request.conditions}}) {
     if (!is_utf8(*text)) throw InputError(fmt::format("{} '{}': must be UTF-8 text", what, *text));
   }
+}
+
+/// How far ahead of the middle the camera sees from its height.
+double view_m(const Settings& settings) {
+  const double half_px = 0.5 * std::min(settings.camera.width_px, settings.camera.height_px);
+  return settings.height_m * half_px / settings.camera.focal_px;
 }
 
 std::size_t target_of(const servo::Topology& topology, const std::string& target) try {
@@ -56,7 +64,8 @@ Mission prepare(const FlightRequest& request) {
   check_text(request);
   servo::find_controller(request.controller);
   vehicle::Layout floor = read_layout(find_data(DataKind::layout, request.layout));
-  const servo::Topology topology = topology_of(floor);
+  servo::Topology topology = topology_of(floor);
+  topology.view_m = view_m(request.settings);
   servo::Plan plan = plan_of(topology, request);
   return {request, std::move(floor), std::move(plan)};
 }
