@@ -8,6 +8,12 @@
 #include "features/line/stripe_extent.h"
 
 namespace lineservo::features {
+namespace {
+
+constexpr double kSameWay_rad = radians(10.0);
+constexpr double kAhead_rad = radians(60.0);  // beyond, a corner is told by the line's end
+
+}  // namespace
 
 StripePerception::StripePerception(const MaskGeometry& geometry, const StripePerceptionOptions& options)
     : geometry_(geometry),
@@ -43,7 +49,7 @@ const StripeFeatures& StripePerception::observe(const MaskView& mask, const Leve
   features_.line_ends_ahead = ends_ahead(level_mask, junction);
   features_.line_end.reset();
   if (!stripes_.empty() && !stripes_.front().end.leaves_view &&
-      stripes_.front().end.bare >= options_.junction_end)
+      stripes_.front().end.bare >= options_.junction_end && !goes_on(junction, kSameWay_rad))
     features_.line_end = stripes_.front().feature.end;
   return features_;
 }
@@ -54,10 +60,27 @@ JunctionCode StripePerception::code() const {
   return features_.arms == Arms{} ? JunctionCode::straight : code_of(features_.arms);
 }
 
+// Past the end of the stripe that is followed an arm leads on: narrower than it, or at an angle, as on a
+// curve.
+bool StripePerception::goes_on(const std::optional<StripeJunction>& junction, double within_rad) const {
+  constexpr double kFurther = 0.1;
+  if (!junction) return false;
+  const Stripe& followed = stripes_.front();
+  const Eigen::Vector2d forward = followed.course.forward();
+  const double heading_rad = std::atan2(-forward.x(), -forward.y());
+  const double end =
+      followed.end.along - StripeAxes(followed.course).along(junction->feature.centre.vector());
+  return std::any_of(junction->arms.begin(), junction->arms.end(), [&](const JunctionArm& arm) {
+    return std::abs(wrap_angle(arm.feature.angle_rad - heading_rad)) < within_rad &&
+           arm.feature.length + 0.5 * arm.width > end + kFurther;
+  });
+}
+
 bool StripePerception::ends_ahead(const LevelMask& mask,
                                   const std::optional<StripeJunction>& junction) const {
   if (stripes_.empty() || stripes_.front().end.leaves_view) return false;
   const Stripe& followed = stripes_.front();
+  if (goes_on(junction, kAhead_rad)) return false;
   if (followed.end.bare >= options_.certain_end)
     return junction || !paint_bends_away(mask, followed.course, followed.end.along);
   if (!junction || followed.end.bare < options_.junction_end) return false;

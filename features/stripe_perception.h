@@ -50,6 +50,7 @@ class StripePerception {
 
  private:
   bool ends_ahead(const LevelMask& mask, const std::optional<StripeJunction>& junction) const;
+  bool goes_on(const std::optional<StripeJunction>& junction, double within_rad) const;
   JunctionCode code() const;
 
   MaskGeometry geometry_;

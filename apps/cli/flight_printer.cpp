@@ -13,7 +13,15 @@ namespace {
 
 constexpr double kQuietInterval_s = 30.0;
 
+/// "fork -45° 45° 180°"
+std::string fork(const servo::NodeSignature& s) {
+  std::string text(name(s.bend));
+  for (const double arm_rad : s.arms_rad) text += fmt::format(" {:.0f}°", features::degrees(arm_rad));
+  return text;
+}
+
 std::string codes(const servo::NodeSignature& s) {
+  if (s.bend == servo::Bend::fork) return fork(s);
   if (s.bend != servo::Bend::none) return std::string(name(s.bend));
   const std::string code(features::name(s.code));
   if (s.line_ends)

@@ -35,8 +35,9 @@ void add_edge(const vehicle::LayoutEdge& edge, servo::Topology& topology) {
   const double back_rad = features::wrap_angle(arriving_rad + features::kPi);
   const double home_rad = features::wrap_angle(leaving_rad + features::kPi);
   topology.edges.push_back({length_m, sharpest_corner_rad(edge.centreline), is_bent(edge.centreline)});
-  topology.nodes[edge.from].arms.push_back({index, edge.to, features::wrap_angle(leaving_rad), arriving_rad});
-  topology.nodes[edge.to].arms.push_back({index, edge.from, back_rad, home_rad});
+  topology.nodes[edge.from].arms.push_back(
+      {index, edge.to, features::wrap_angle(leaving_rad), arriving_rad, edge.width_m});
+  topology.nodes[edge.to].arms.push_back({index, edge.from, back_rad, home_rad, edge.width_m});
 }
 
 }  // namespace

@@ -26,6 +26,12 @@ void check_text(const FlightRequest& request) {
   }
 }
 
+/// How far ahead of the middle the camera sees from its height.
+double view_m(const Settings& settings) {
+  const double half_px = 0.5 * std::min(settings.camera.width_px, settings.camera.height_px);
+  return settings.height_m * half_px / settings.camera.focal_px;
+}
+
 std::size_t target_of(const servo::Topology& topology, const std::string& target) try {
   return servo::find_target(topology, target);
 } catch (const std::invalid_argument& fault) {
@@ -68,7 +74,8 @@ Mission prepare(const FlightRequest& request) {
   check_text(request);
   const servo::Controller& controller = servo::find_controller(request.controller);
   vehicle::Layout floor = read_layout(find_data(DataKind::layout, request.layout));
-  const servo::Topology topology = topology_of(floor);
+  servo::Topology topology = topology_of(floor);
+  topology.view_m = view_m(request.settings);
   const servo::Plan plan = plan_of(topology, request);
   const auto pursuit = controller.traits.pursues_line ? servo::pursuit_of(plan, topology) : std::nullopt;
   Mission mission{request, std::move(floor), pursuit.value_or(plan)};

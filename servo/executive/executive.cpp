@@ -73,9 +73,10 @@ double Executive::along_way_m(const Eigen::Vector2d& moved_H_m) const {
 
 std::optional<NodeSighting> Executive::node_told(const Observation& observation) {
   const bool away = travelled_m_ > options_.leaving_heights * observation.height_m;
-  const Bend bend = traits_.servos_on_node
-                        ? bend_sighting(observation, current_step())
-                        : centroid_bend_.update(observation, current_step(), matcher_.leaving());
+  const PlanStep* step = current_step();
+  const bool by_arms = traits_.servos_on_node || (step && step->expected.bend == Bend::fork);
+  const Bend bend = by_arms ? bend_sighting(observation, current_step())
+                            : centroid_bend_.update(observation, current_step(), matcher_.leaving());
   return matcher_.update(near_reading(observation, current_step()), away, bend);
 }
 

@@ -1,5 +1,6 @@
 #include "servo/executive/sighting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -15,6 +16,10 @@ constexpr double kDiscNear_heights = 0.4;
 constexpr double kBackArm_rad = features::radians(30.0);
 constexpr double kLeastBend_rad = features::radians(20.0);
 constexpr double kSharpestBend_rad = features::radians(70.0);
+
+// Of a fork: how far off an arm may be seen, and how near its node is, in heights.
+constexpr double kForkArm_rad = features::radians(18.0);
+constexpr double kForkNear_heights = 0.6;
 
 constexpr double kImageCentre_px = 199.5;
 constexpr double kBendCentroid_px = 45.0;  // Γ/(2h) of topology §2.5
@@ -42,6 +47,10 @@ features::CodeReading plain_line() {
   return reading;
 }
 
+bool expects_fork(const PlanStep* step) {
+  return step && step->expected.bend == Bend::fork;
+}
+
 /// By two arms, of which one leads back and the other ahead to a side.
 Bend bend_of(const std::vector<features::ArmFeature>& arms) {
   if (arms.size() != 2) return Bend::none;
@@ -54,6 +63,16 @@ Bend bend_of(const std::vector<features::ArmFeature>& arms) {
   return ahead_rad > 0.0 ? Bend::left : Bend::right;
 }
 
+bool is_fork(const features::JunctionFeature& junction, const std::vector<double>& arms_rad) {
+  if (junction.centre.vector().norm() > kForkNear_heights || junction.arms.size() != arms_rad.size())
+    return false;
+  return std::all_of(arms_rad.begin(), arms_rad.end(), [&junction](double arm_rad) {
+    return std::any_of(junction.arms.begin(), junction.arms.end(), [arm_rad](const auto& seen) {
+      return std::abs(features::wrap_angle(seen.angle_rad - arm_rad)) < kForkArm_rad;
+    });
+  });
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
@@ -64,6 +83,7 @@ std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
 features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
   features::CodeReading reading = o.features.code;
   if (is_pursued(step) && reading.smoothed != features::JunctionCode::start) return plain_line();
+  if (expects_fork(step)) reading.smoothed = features::JunctionCode::straight;  // its codes mean nothing
   if (expects_bend(step) && reading.smoothed == features::JunctionCode::straight)
     reading.line_ends_ahead = false;
   if (reading.smoothed != features::JunctionCode::start) return reading;
@@ -97,6 +117,8 @@ std::optional<Eigen::Vector2d> dead_end_sighting(const Observation& o, const Pla
 
 Bend bend_sighting(const Observation& o, const PlanStep* step) {
   if (!expects_bend(step) || !o.features.junction) return Bend::none;
+  if (expects_fork(step))
+    return is_fork(*o.features.junction, step->expected.arms_rad) ? Bend::fork : Bend::none;
   return bend_of(o.features.junction->arms);
 }
 

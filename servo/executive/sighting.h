@@ -21,7 +21,8 @@ std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanSte
 std::optional<Eigen::Vector2d> dead_end_sighting(const Observation& o, const PlanStep* step,
                                                  const std::optional<Eigen::Vector2d>& where_m);
 
-/// How the line bends at the junction in view, where the step expects a bend.
+/// What the junction in view is, where the step expects a bend or a fork. A fork is told when it is near and
+/// every arm of it is seen at its angle, and no other.
 Bend bend_sighting(const Observation& o, const PlanStep* step);
 
 /// The published way to notice a bend, which turns where it notices (topology §2.5): the path's centroid,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "features/geometry/angles.h"
@@ -19,7 +20,9 @@ using features::wrap_angle;
 constexpr double kArmTolerance_rad = features::radians(25.0);      // codes.md
 constexpr double kStraightOn_rad = features::radians(15.0);        // beyond, the camera may see a corner
 constexpr double kSharpestBend_rad = kPi / 2 - kArmTolerance_rad;  // beyond, it is a corner
-constexpr NodeSignature kDisc{JunctionCode::start, JunctionCode::start, false, Bend::none};
+constexpr double kOneLine_rad = features::radians(16.0);
+constexpr double kTwoLines_rad = features::radians(22.0);
+constexpr double kForkApart_rad = features::radians(40.0);  // arms of a fork, as seen, are less sure
 
 bool near(double angle_rad, double direction_rad) {
   return std::abs(wrap_angle(angle_rad - direction_rad)) <= kArmTolerance_rad;
@@ -29,26 +32,85 @@ std::string in_degrees(double angle_rad) {
   return std::to_string(std::lround(features::degrees(angle_rad))) + "°";
 }
 
-/// The arm that lies in this direction to the way.
-bool& side_of(Arms& arms, double angle_rad) {
-  if (near(angle_rad, 0.0)) return arms.forward;
-  if (near(angle_rad, kPi)) return arms.back;
-  if (near(angle_rad, kPi / 2)) return arms.left;
-  if (near(angle_rad, -kPi / 2)) return arms.right;
-  throw std::invalid_argument(
-      "an arm at " + in_degrees(angle_rad) +
-      " to the way is none that the junction codes can name (forward, back, left, right)");
+std::string in_metres(double length_m) {
+  return std::to_string(0.01 * static_cast<double>(std::lround(100.0 * length_m))).substr(0, 4) + " m";
 }
 
-void add_arm(Arms& arms, double angle_rad) {
-  bool& side = side_of(arms, angle_rad);
-  if (side) {
-    throw std::invalid_argument(
-        "the arm at " + in_degrees(angle_rad) +
-        " to the way is one of two on the same side: the camera cannot tell them apart "
-        "(allowed is one each forward, back, left and right, within 25°)");
+/// The arm that lies in this direction to the way; none when the codes have no name for it.
+bool* side_of(Arms& arms, double angle_rad) {
+  if (near(angle_rad, 0.0)) return &arms.forward;
+  if (near(angle_rad, kPi)) return &arms.back;
+  if (near(angle_rad, kPi / 2)) return &arms.left;
+  if (near(angle_rad, -kPi / 2)) return &arms.right;
+  return nullptr;
+}
+
+/// The arms as the codes name them; none when one has no name, or two have the same.
+std::optional<Arms> named_arms(const std::vector<double>& arm_angles_rad) {
+  Arms arms;
+  for (const double angle_rad : arm_angles_rad) {
+    bool* side = side_of(arms, angle_rad);
+    if (!side || *side) return std::nullopt;
+    *side = true;
   }
-  side = true;
+  return arms;
+}
+
+/// The smallest angle between two of a fork's arms.
+double least_apart_rad(const std::vector<double>& arm_angles_rad) {
+  double least_rad = 2.0 * kPi;
+  for (std::size_t i = 0; i < arm_angles_rad.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      least_rad = std::min(least_rad, std::abs(wrap_angle(arm_angles_rad[i] - arm_angles_rad[j])));
+  }
+  return least_rad;
+}
+
+/// Two arms that lead away from the way, nearly in one line with each other: seen as one stripe or as two.
+void check_axes(const std::vector<double>& arm_angles_rad) {
+  for (const double a_rad : arm_angles_rad) {
+    for (const double b_rad : arm_angles_rad) {
+      const double off_rad = kPi - std::abs(wrap_angle(a_rad - b_rad));
+      const bool is_way = near(a_rad, kPi) || near(b_rad, kPi);
+      if (is_way || off_rad < kOneLine_rad || off_rad > kTwoLines_rad) continue;
+      throw std::invalid_argument("its arms at " + in_degrees(a_rad) + " and " + in_degrees(b_rad) + " lie " +
+                                  in_degrees(off_rad) +
+                                  " off one line: the camera cannot tell one line from two (allowed is up to "
+                                  "16°, or from 22°)");
+    }
+  }
+}
+
+NodeSignature fork(const std::vector<double>& arm_angles_rad) {
+  const double apart_rad = least_apart_rad(arm_angles_rad);
+  if (apart_rad < kForkApart_rad) {
+    throw std::invalid_argument(
+        "two of its arms are only " + in_degrees(apart_rad) +
+        " apart, where the junction codes have no name for them (forward, back, left, "
+        "right, within 25°): the camera cannot tell them apart (allowed is 40°)");
+  }
+  check_axes(arm_angles_rad);
+  NodeSignature signature{JunctionCode::straight, JunctionCode::straight, false, Bend::fork, arm_angles_rad};
+  std::sort(signature.arms_rad.begin(), signature.arms_rad.end());
+  return signature;
+}
+
+// Borders of lines of the width w that leave a node δ apart part w/2 / tan(δ/2) from it.
+void check_view(const Topology& topology, const TopologyNode& node) {
+  constexpr double kSeen = 0.6;  // of the view: the rest shows the arms
+  const double farthest_m = kSeen * topology.view_m;
+  for (const TopologyArm& a : node.arms) {
+    for (const TopologyArm& b : node.arms) {
+      const double apart_rad = std::abs(wrap_angle(a.heading_rad - b.heading_rad));
+      const double width_m = std::max(a.width_m, b.width_m);
+      const double part_m = 0.5 * width_m / std::tan(0.5 * apart_rad);
+      if (&a == &b || part_m <= farthest_m) continue;
+      throw std::invalid_argument("lines " + in_metres(width_m) + " wide leave it " + in_degrees(apart_rad) +
+                                  " apart and part " + in_metres(part_m) +
+                                  " from it: the camera cannot tell them apart from its height (allowed is " +
+                                  in_metres(farthest_m) + "; fly higher or paint narrower)");
+    }
+  }
 }
 
 std::vector<double> relative_angles(const TopologyNode& node, double travel_heading_rad) {
@@ -77,10 +139,12 @@ PlanStep arrive(const Topology& topology, const TopologyArm& by) {
   step.edge_bends = topology.edges[by.edge].bends;
   try {
     step.expected = signature(relative_angles(topology.nodes[by.to], by.arrival_heading_rad));
+    if (step.expected.bend == Bend::fork) check_view(topology, topology.nodes[by.to]);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("node " + step.node + ": " + error.what());
   }
-  if (topology.nodes[by.to].has_disc) step.expected = kDisc;
+  if (topology.nodes[by.to].has_disc)
+    step.expected = {JunctionCode::start, JunctionCode::start, false, Bend::none, {}};
   return step;
 }
 
@@ -96,6 +160,18 @@ void check_first_edge(const TopologyNode& start, const TopologyArm& first) {
   }
 }
 
+// The cap of a broad line that ends below the vehicle fills the view: no two borders of it are long enough.
+void check_take_off(const Topology& topology) {
+  constexpr double kBroadest = 0.9;  // of the view ahead
+  const TopologyNode& start = topology.nodes[topology.start];
+  const bool is_dead_end = start.arms.size() == 1 && !start.has_disc;
+  if (!is_dead_end || start.arms[0].width_m <= kBroadest * topology.view_m) return;
+  throw std::invalid_argument(
+      "node " + start.name + ": from its height the camera cannot tell the end of a line " +
+      in_metres(start.arms[0].width_m) + " wide from any other paint (allowed up to " +
+      in_metres(kBroadest * topology.view_m) + "): lay a red disc (marker_radius_m), or fly higher");
+}
+
 void check_corners(const Topology& topology, const TopologyArm& by, const std::string& from) {
   const double corner_rad = topology.edges[by.edge].sharpest_corner_rad;
   if (corner_rad <= kStraightOn_rad) return;
@@ -107,7 +183,7 @@ void check_corners(const Topology& topology, const TopologyArm& by, const std::s
 void leave(PlanStep& step, const TopologyArm& by, const TopologyArm& onto) {
   const double turn_rad = wrap_angle(onto.heading_rad - by.arrival_heading_rad);
   if (std::abs(turn_rad) <= kStraightOn_rad) return;
-  if (near(turn_rad, 0.0)) {
+  if (near(turn_rad, 0.0) && step.expected.bend != Bend::fork) {
     throw std::invalid_argument("node " + step.node + ": the way bends by " + in_degrees(std::abs(turn_rad)) +
                                 ", neither straight on (up to 15°) nor a bend or turn (from 25°)");
   }
@@ -188,13 +264,13 @@ std::string labels_of(const Topology& topology) {
 
 NodeSignature signature(const std::vector<double>& arm_angles_rad) {
   if (const Bend bend = bend_of(arm_angles_rad); bend != Bend::none) {
-    return {JunctionCode::straight, JunctionCode::straight, false, bend};
+    return {JunctionCode::straight, JunctionCode::straight, false, bend, {}};
   }
-  Arms arms;
-  for (const double angle_rad : arm_angles_rad) add_arm(arms, angle_rad);
-  Arms ahead = arms;
+  const std::optional<Arms> arms = named_arms(arm_angles_rad);
+  if (!arms) return fork(arm_angles_rad);
+  Arms ahead = *arms;
   ahead.forward = false;  // the forward arm comes into view last
-  return {code_of(ahead), code_of(arms), !arms.forward, Bend::none};
+  return {code_of(ahead), code_of(*arms), !arms->forward, Bend::none, {}};
 }
 
 std::vector<std::size_t> target_steps(const Plan& plan) {
@@ -220,6 +296,7 @@ void PlanBuilder::visit(const Visit& visit) {
   const std::optional<Route> route = shortest_route(topology_, here(), visit.node, facing_rad);
   const std::string& name = topology_.nodes[visit.node].name;
   if (!route) throw std::invalid_argument(visit.target + ": no painted way leads to " + name);
+  if (begins) check_take_off(topology_);
   check_first_edge(topology_.nodes[here()], route->front());
   std::vector<PlanStep> steps = leg(topology_, here(), *route, visit);
   if (begins) plan_.start_heading_rad = route->front().heading_rad;
@@ -254,7 +331,17 @@ std::size_t find_target(const Topology& topology, std::string_view target) {
 }
 
 std::string_view name(Bend bend) {
-  return bend == Bend::left ? "bend left" : bend == Bend::right ? "bend right" : "no bend";
+  switch (bend) {
+    case Bend::none:
+      return "no bend";
+    case Bend::left:
+      return "bend left";
+    case Bend::right:
+      return "bend right";
+    case Bend::fork:
+      return "fork";
+  }
+  return "?";
 }
 
 std::string_view name(Manoeuvre manoeuvre) {

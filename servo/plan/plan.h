@@ -10,8 +10,9 @@
 
 namespace lineservo::servo {
 
-/// A corner that the codes have no name for: the way bends by 25 to 65°, and no other arm is there.
-enum class Bend { none, left, right };
+/// A node that the codes have no name for. A bend: the way turns by 25 to 65°, and no other arm is there. A
+/// fork: arms at other angles than forward, back, left and right; it is told by the angles of all of them.
+enum class Bend { none, left, right, fork };
 
 std::string_view name(Bend bend);
 
@@ -19,8 +20,9 @@ std::string_view name(Bend bend);
 struct NodeSignature {
   features::JunctionCode preview = features::JunctionCode::straight;  ///< when its side arms come into view
   features::JunctionCode code = features::JunctionCode::straight;     ///< when all its arms are in view
-  bool line_ends = false;  ///< no arm goes on ahead: a corner, a ┬ or a dead end
-  Bend bend = Bend::none;  ///< the code is that of plain line then
+  bool line_ends = false;             ///< no arm goes on ahead: a corner, a ┬ or a dead end
+  Bend bend = Bend::none;             ///< the code is that of plain line then
+  std::vector<double> arms_rad = {};  ///< of a fork: of all its arms, from the way, counter-clockwise
 
   friend bool operator==(const NodeSignature&, const NodeSignature&) = default;
 };
@@ -76,8 +78,8 @@ class PlanBuilder {
   /// Adds the way to one more target. Throws std::invalid_argument that says why, and adds nothing, when
   /// there is no route, when the target is where the vehicle stands already and not a disc on plain line
   /// (which is one round), when the camera cannot tell a node that matters (it looks like plain line), when
-  /// arms meet at angles that the codes cannot name or two on one side, or when the way bends by 15 to 25° at
-  /// once.
+  /// arms of a fork are less than 40° apart or part beyond the camera's view, or when the way bends by 15 to
+  /// 25° at once.
   void visit(const Visit& visit);
   const Plan& plan() const { return plan_; }
 
@@ -96,8 +98,9 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
 std::size_t find_target(const Topology& topology, std::string_view target);
 
 /// How a node with arms at these angles (relative to the direction of travel, back arm included) looks.
-/// Two arms of which one lies back and one 25 to 65° off ahead are a bend. Throws std::invalid_argument when
-/// an arm is more than 25° off forward, back, left and right, or two are on one side.
+/// Two arms of which one lies back and one 25 to 65° off ahead are a bend. Arms more than 25° off forward,
+/// back, left and right, or two on one side, make it a fork. Throws std::invalid_argument when two arms of a
+/// fork are less than 40° apart.
 NodeSignature signature(const std::vector<double>& arm_angles_rad);
 
 std::string_view name(Manoeuvre manoeuvre);

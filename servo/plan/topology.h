@@ -13,6 +13,7 @@ struct TopologyArm {
   std::size_t to = 0;        ///< node at the other end
   double heading_rad = 0.0;  ///< in which the arm leaves the node, from +x of the floor, counter-clockwise
   double arrival_heading_rad = 0.0;  ///< of a traveller who reaches `to` along this arm
+  double width_m = 0.0;              ///< of the line
 };
 
 struct TopologyNode {
@@ -36,6 +37,7 @@ struct Topology {
   std::vector<TopologyEdge> edges;
   std::map<std::string, std::size_t> labels;  ///< DIF → node
   std::size_t start = 0;
+  double view_m = 0.375;  ///< how far ahead the camera sees from its height: the default one from 0.5 m
 };
 
 }  // namespace lineservo::servo
