@@ -29,6 +29,7 @@ std::string outcome_of_abort(AbortReason reason) {
     case AbortReason::line_lost:
       return "lost_line";
     case AbortReason::node_overdue:
+    case AbortReason::out_of_time:
       return "timeout";
     default:
       return "aborted";

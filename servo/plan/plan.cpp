@@ -75,12 +75,7 @@ PlanStep arrive(const Topology& topology, const TopologyArm& by) {
   step.node = topology.nodes[by.to].name;
   step.edge_length_m = topology.edges[by.edge].length_m;
   step.edge_bends = topology.edges[by.edge].bends;
-  try {
-    step.expected = signature(relative_angles(topology.nodes[by.to], by.arrival_heading_rad));
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("node " + step.node + ": " + error.what());
-  }
-  if (topology.nodes[by.to].has_disc) step.expected = kDisc;
+  step.expected = signature_at(topology, by);
   return step;
 }
 
@@ -145,6 +140,25 @@ bool ends_a_round(const TopologyNode& start) {
   return start.has_disc && arms.size() == 2 && near(arms[0].heading_rad - arms[1].heading_rad, kPi);
 }
 
+/// The steps of the plan's route, which leaves `from`.
+void add_steps(Plan& plan, const Topology& topology, std::size_t from) {
+  const Route& route = plan.route;
+  UnseenEdges unseen;
+  for (std::size_t k = 0; k < route.size(); ++k) {
+    check_corners(topology, route[k], topology.nodes[k == 0 ? from : route[k - 1].to].name);
+    PlanStep step = arrive(topology, route[k]);
+    if (k + 1 < route.size()) {
+      leave(step, route[k], route[k + 1]);
+    } else if (looks_like_plain_line(step.expected)) {
+      throw std::invalid_argument(plan.instruction + ": the camera cannot tell " + plan.target +
+                                  " from plain line");
+    } else {
+      step.manoeuvre = Manoeuvre::hover;
+    }
+    append(plan.steps, std::move(step), unseen);
+  }
+}
+
 std::string labels_of(const Topology& topology) {
   std::string list;
   for (const auto& [label, node] : topology.labels) list += (list.empty() ? "" : " ") + label;
@@ -174,23 +188,35 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
   const std::optional<Route> route = shortest_route(topology, topology.start, target);
   if (!route) throw std::invalid_argument(instruction + ": no painted way leads to " + target_name);
 
-  Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}, *route};
+  Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}, *route, {}};
   check_start(topology, route->front());
-  UnseenEdges unseen;
-  for (std::size_t k = 0; k < route->size(); ++k) {
-    check_corners(topology, (*route)[k], topology.nodes[k == 0 ? topology.start : (*route)[k - 1].to].name);
-    PlanStep step = arrive(topology, (*route)[k]);
-    if (k + 1 < route->size()) {
-      leave(step, (*route)[k], (*route)[k + 1]);
-    } else if (looks_like_plain_line(step.expected)) {
-      throw std::invalid_argument(plan.instruction + ": the camera cannot tell " + target_name +
-                                  " from plain line");
-    } else {
-      step.manoeuvre = Manoeuvre::hover;
-    }
-    append(plan.steps, std::move(step), unseen);
-  }
+  add_steps(plan, topology, topology.start);
+  plan.floor = std::make_shared<const Topology>(topology);
   return plan;
+}
+
+Plan compile_onward(std::shared_ptr<const Topology> topology, const TopologyArm& by, std::size_t target,
+                    std::string instruction) {
+  Plan plan{
+      std::move(instruction), topology->nodes.at(target).name, by.arrival_heading_rad, {}, {by}, topology};
+  if (by.to != target) {
+    const std::optional<Route> onward = shortest_route(*topology, by.to, target);
+    if (!onward)
+      throw std::invalid_argument(plan.instruction + ": no painted way leads on to " + plan.target);
+    plan.route.insert(plan.route.end(), onward->begin(), onward->end());
+  }
+  add_steps(plan, *topology, by.to);
+  return plan;
+}
+
+NodeSignature signature_at(const Topology& topology, const TopologyArm& by) {
+  const TopologyNode& node = topology.nodes[by.to];
+  try {
+    const NodeSignature seen = signature(relative_angles(node, by.arrival_heading_rad));
+    return node.has_disc ? kDisc : seen;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("node " + node.name + ": " + error.what());
+  }
 }
 
 std::size_t find_target(const Topology& topology, std::string_view target) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,8 @@ struct Plan {
   double start_heading_rad = 0.0;  ///< of the first edge; where the vehicle is placed facing
   std::vector<PlanStep> steps;     ///< the last one hovers
   Route route;                     ///< the arms taken; for explaining and scoring only
+  /// What it was compiled on, to find out by the codes where a flight has got to and to plan anew.
+  std::shared_ptr<const Topology> floor = {};
 };
 
 /// Compiles the way from the start node to a node. Throws std::invalid_argument that says why when there is
@@ -50,6 +53,10 @@ struct Plan {
 /// cannot tell a node that matters (it looks like plain line), when arms meet at angles that the codes cannot
 /// name or two on one side, or when the way bends by 15 to 25° at once.
 Plan compile(const Topology& topology, std::size_t target, std::string instruction);
+
+/// The plan of a traveller who has just come to the end of an arm. Throws as compile() does.
+Plan compile_onward(std::shared_ptr<const Topology> topology, const TopologyArm& by, std::size_t target,
+                    std::string instruction);
 
 /// The node that a target names: a DIF (a13) by the topology's labels, or node:NAME. Throws
 /// std::invalid_argument with what is allowed.
@@ -59,6 +66,9 @@ std::size_t find_target(const Topology& topology, std::string_view target);
 /// Two arms of which one lies back and one 25 to 65° off ahead are a bend. Throws std::invalid_argument when
 /// an arm is more than 25° off forward, back, left and right, or two are on one side.
 NodeSignature signature(const std::vector<double>& arm_angles_rad);
+
+/// How the node at the end of an arm looks to a traveller who comes along it. Throws as signature() does.
+NodeSignature signature_at(const Topology& topology, const TopologyArm& by);
 
 std::string_view name(Manoeuvre manoeuvre);
 
