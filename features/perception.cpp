@@ -47,7 +47,7 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   }
   segmentation_ = &segmenter_.segment(bgr);
   if (path_segmenter_) replace_path(bgr);
-  marker_px_ = find_marker();
+  marker_px_ = find_marker(context.height_m);
   profile_of(segmentation_->path, profile_);
   const StripeFeatures& stripes = stripes_.observe(segmentation_->paint.view(), context.view, prior(context));
 
@@ -69,8 +69,9 @@ FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& contex
   return features;
 }
 
-std::optional<PixelPoint> Perception::find_marker() const {
-  if (options_.marker == MarkerMethod::eroded) return end_disc_as_published(segmentation_->path, frame_size_);
+std::optional<PixelPoint> Perception::find_marker(double height_m) const {
+  if (options_.marker == MarkerMethod::eroded)
+    return end_disc_as_published(segmentation_->path, pose_.camera, height_m);
   return segmentation_->marker_pixels > kStartMarkerLimit_px ? segmentation_->marker_centroid_px
                                                              : std::nullopt;
 }

@@ -71,7 +71,7 @@ class Perception {
   const PackedMask& mask() const { return segmentation_->path; }
 
  private:
-  std::optional<PixelPoint> find_marker() const;
+  std::optional<PixelPoint> find_marker(double height_m) const;
   void replace_path(const cv::Mat& bgr);
   std::optional<StripePrior> prior(const FrameContext& context) const;
   void track(std::vector<LineFeature>& lines, const FrameContext& context);

@@ -28,7 +28,7 @@ struct Arguments {
   Block block;  ///< without a preset
   ComparisonOptions options;
   std::string tuning = "both";
-  std::optional<std::string> preset, out;
+  std::optional<std::string> preset, conditions, out;
   int jobs = default_jobs();
   bool json = false;
 };
@@ -40,12 +40,11 @@ std::vector<std::string> all_controllers() {
 }
 
 /// What was typed, or its defaults.
-Block block_of(const Arguments& a) {
+std::vector<Block> typed_blocks(const Arguments& a) {
   Block block = a.block;
   if (block.controllers.empty()) block.controllers = all_controllers();
   if (block.instructions.empty()) block.instructions = {"a03", "a13", "a23", "a53"};
-  if (block.layouts.empty()) block.layouts = {"warehouse"};
-  return block;
+  return block.layouts.empty() ? on_floors_of_zones(block) : std::vector<Block>{block};
 }
 
 /// The preset's flights by those controllers alone that were typed.
@@ -67,7 +66,9 @@ std::vector<Block> preset_blocks(const Arguments& a) {
 ComparisonOptions options_of(const Arguments& a) {
   for (const std::string& name : a.block.controllers) servo::find_controller(name);
   ComparisonOptions options = a.options;
-  options.blocks = a.preset ? preset_blocks(a) : std::vector<Block>{block_of(a)};
+  options.blocks = a.preset ? preset_blocks(a) : typed_blocks(a);
+  options.conditions =
+      a.conditions.value_or(std::string(a.preset ? find_preset(*a.preset).conditions : "paper"));
   options.tuning = a.tuning == "both"    ? Tuning::both
                    : a.tuning == "tuned" ? Tuning::tuned
                                          : Tuning::published;
@@ -117,19 +118,20 @@ void add_flight_options(CLI::App& command, Arguments& a) {
   CLI::Option* instructions =
       add_list_option(command, "--instructions", a.block.instructions, "default a03,a13,a23,a53");
   CLI::Option* layouts =
-      add_list_option(command, "--layout", a.block.layouts, "floors, or YAML files (default warehouse)");
+      add_list_option(command, "--layout", a.block.layouts,
+                      "floors, or YAML files, each flown by all (default: that of each instruction's zone)");
   CLI::Option* speeds = add_list_option(command, "--speeds", a.block.speeds_m_s,
                                         "speeds in m/s, each flown by all (default: that of the conditions)");
   CLI::Option* own = command.add_flag("--own-speed", a.block.own_speed,
                                       "each controller at its paper's speed, where that gives one");
   own->excludes(speeds);
   CLI::Option* preset = command.add_option(
-      "--preset", a.preset, "a paper's experiment, its figures beside: topology, lfpf, grid-flight");
+      "--preset", a.preset, "a paper's experiment, its figures beside: topology, lfpf, grid-flight, vtp");
   for (CLI::Option* other : {instructions, layouts, speeds, own}) preset->excludes(other);
   add_list_option(command, "--controllers", a.block.controllers, "default: all that ship, or the preset's");
-  command.add_option("--conditions", a.options.conditions,
+  command.add_option("--conditions", a.conditions,
                      "conditions that ship, a YAML file, or two with .. between, from which each flight "
-                     "draws its own (default paper)");
+                     "draws its own (default paper, or the preset's)");
 }
 
 void add_run_options(CLI::App& command, Arguments& a) {

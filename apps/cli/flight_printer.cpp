@@ -21,14 +21,48 @@ std::string codes(const servo::NodeSignature& s) {
   return std::string(features::name(s.preview)) + "→" + code;
 }
 
-std::string action(const servo::PlanStep& step) {
-  if (step.manoeuvre != servo::Manoeuvre::turn) return std::string(name(step.manoeuvre));
-  return fmt::format("turn {:.0f}° {}", std::abs(features::degrees(step.turn_rad)),
-                     step.turn_rad > 0 ? "left" : "right");
+std::string turning(double turn_rad) {
+  const double angle_deg = std::abs(features::degrees(turn_rad));
+  if (angle_deg > 179.5) return "turn round";
+  return angle_deg < 0.5 ? "go straight"
+                         : fmt::format("turn {:.0f}° {}", angle_deg, turn_rad > 0 ? "left" : "right");
+}
+
+/// What is done at a target before the next one.
+std::string stopping(const servo::PlanStep& step, bool is_last) {
+  std::string text = "hover";
+  if (step.stop.hover_s) text += fmt::format(" {:g} s", *step.stop.hover_s);
+  if (step.stop.look) text += ", look round";
+  if (step.stop.land) text += ", land";
+  if (step.stop.ground_s > 0.0) text += fmt::format(" for {:g} s", step.stop.ground_s);
+  return is_last ? text : text + ", " + turning(step.turn_rad);
+}
+
+std::string action(const servo::PlanStep& step, bool is_last) {
+  if (step.manoeuvre == servo::Manoeuvre::hover) return stopping(step, is_last);
+  return step.manoeuvre == servo::Manoeuvre::turn ? turning(step.turn_rad)
+                                                  : std::string(name(step.manoeuvre));
+}
+
+/// "a13: to n13, starting towards 0°"; of a mission all targets.
+std::string headline(const servo::Plan& plan) {
+  std::string targets;
+  for (const std::size_t index : servo::target_steps(plan))
+    targets += (targets.empty() ? "" : ", ") + plan.steps[index].node;
+  return fmt::format("{}: to {}, starting towards {:.0f}°\n", plan.instruction, targets,
+                     features::degrees(plan.start_heading_rad));
 }
 
 std::string centimetres(double metres) {
   return std::isfinite(metres) ? fmt::format("{:.1f} cm", 100.0 * metres) : "–";
+}
+
+void print_target(const TargetScore& t) {
+  fmt::print("  target {} ({}): {}", t.target, t.node, t.outcome);
+  if (t.rest)
+    fmt::print(" after {:.0f} s, terminal error {}", t.rest->until_s, centimetres(t.rest->target_error_m));
+  if (t.landing_W) fmt::print(", landed {} off", centimetres((*t.landing_W - t.node_W).norm()));
+  fmt::print("\n");
 }
 
 }  // namespace
@@ -51,11 +85,10 @@ void ProgressLine::clear() {
 }
 
 void print_plan(const servo::Plan& plan) {
-  fmt::print("{}: to {}, starting towards {:.0f}°\n", plan.instruction, plan.target,
-             features::degrees(plan.start_heading_rad));
+  fmt::print("{}", headline(plan));
   for (const servo::PlanStep& step : plan.steps) {
     fmt::print("  {:<14} after {:5.2f} m  {:<18} {}\n", step.node, step.edge_length_m, codes(step.expected),
-               action(step));
+               action(step, &step == &plan.steps.back()));
   }
 }
 
@@ -64,7 +97,11 @@ void print_summary(const FlightRequest& request, const FlightRecord& record, con
              request.layout, request.conditions, request.settings.speed_m_s, request.seed, s.outcome);
   if (record.abort_reason != servo::AbortReason::none)
     fmt::print("  because: {}\n", servo::name(record.abort_reason));
-  if (s.rest) fmt::print("  terminal error {}\n", centimetres(s.rest->target_error_m));
+  if (s.targets.size() > 1) {
+    for (const TargetScore& target : s.targets) print_target(target);
+  } else if (s.rest) {
+    fmt::print("  terminal error {}\n", centimetres(s.rest->target_error_m));
+  }
   for (const LegScore& leg : s.track.legs) {
     fmt::print("  leg {} to {}: RMSE {}, max {}, settled {}, at the turn {}\n", leg.from, leg.to,
                centimetres(leg.whole.rmse_m), centimetres(leg.whole.max_m), centimetres(leg.settled_rmse_m),

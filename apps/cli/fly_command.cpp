@@ -54,7 +54,8 @@ FlightRequest request_of(const FlyArguments& a) {
   if (a.speed) SettingsTable(request.settings).set("speed_m_s", *a.speed, "--speed");
   for (const std::string& assignment : a.overrides) apply_override(request, assignment);
   if (request.instruction.empty())
-    throw InputError("fly: TARGET is missing: an instruction such as a13, or node:NAME");
+    throw InputError(
+        "fly: TARGET is missing: an instruction such as a13, node:NAME, or a mission file (*.yaml)");
   return request;
 }
 
@@ -91,13 +92,15 @@ int fly(const FlyArguments& arguments) {
 void add_fly_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<FlyArguments>();
   FlyArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand("fly", "fly one instruction in simulation");
-  command->add_option("TARGET", a.target, "an instruction such as a13, or node:NAME");
+  CLI::App* command = app.add_subcommand("fly", "fly an instruction or a mission in simulation");
+  command->add_option("TARGET", a.target,
+                      "an instruction such as a13, node:NAME, or a mission file (*.yaml)");
   command->add_option("--controller", a.controller,
                       "the law that flies (default ibvs; lineservo controllers lists them)");
   command->add_option(
       "--layout", a.layout,
-      "a floor that ships, or a YAML file (default that of the zone: warehouse, square, octagon, circle)");
+      "a floor that ships, or a YAML file (default that of the zone: warehouse, square, octagon, circle; or "
+      "of the mission)");
   command->add_option(
       "--conditions", a.conditions,
       "conditions that ship, a YAML file, or two with .. between: drawn from the seed (default paper)");
@@ -118,8 +121,8 @@ void add_fly_command(CLI::App& app, int& exit_code) {
   CLI::Option* explain = command->add_flag("--explain", a.explain, "print the plan and do not fly");
   CLI::Option* out = command->add_option(
       "--out", a.out,
-      "folder for summary.json, flight.csv, events.csv, config.yaml, and layout.yaml and conditions.yaml "
-      "when they are your own");
+      "folder for summary.json, flight.csv, events.csv, config.yaml, and mission.yaml, layout.yaml and "
+      "conditions.yaml when they are your own");
   CLI::Option* json = command->add_flag("--json", a.json, "print summary.json instead of the short report");
   for (CLI::Option* other : {out, json}) explain->excludes(other);
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });

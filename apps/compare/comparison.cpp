@@ -124,6 +124,21 @@ void check_seeds(const ComparisonOptions& options) {
 
 }  // namespace
 
+std::vector<Block> on_floors_of_zones(const Block& block) {
+  std::vector<Block> blocks;
+  for (const std::string& instruction : block.instructions) {
+    const std::vector<std::string> floor = {layout_of_zone(instruction)};
+    auto it = std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.layouts == floor; });
+    if (it == blocks.end()) {
+      it = blocks.insert(blocks.end(), block);
+      it->layouts = floor;
+      it->instructions.clear();
+    }
+    it->instructions.push_back(instruction);
+  }
+  return blocks;
+}
+
 std::string Entry::label() const {
   return controller + (tuned ? " tuned" : "") + (variant.label.empty() ? "" : " " + variant.label);
 }

@@ -29,6 +29,10 @@ struct Block {
   std::vector<std::string> overrides;
 };
 
+/// The same block once for each floor that its instructions name by their zones (layout_of_zone), in the
+/// order of their first instructions.
+std::vector<Block> on_floors_of_zones(const Block& block);
+
 enum class Tuning { published, tuned, both };
 
 struct ComparisonOptions {

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kTopologySpeed_m_s = 0.1;
 constexpr double kHoverSpeed_m_s = 0.1;
+constexpr double kPursuitSpeeds_m_s[] = {0.1, 0.2};
 // About what the pitch of lfpf §4.1.1 comes to here: -0.19 deg (LFPF), -1 deg (improved carrot chasing).
 constexpr double kSlow_m_s = 0.09, kFast_m_s = 0.46;
 
@@ -66,13 +67,21 @@ std::vector<Block> grid_flight_blocks() {
   return {at_speeds(b, {kHoverSpeed_m_s})};
 }
 
+/// vtp §2: along the red track, landing on its end; at equal speeds and at the pace of its own steps.
+std::vector<Block> vtp_blocks() {
+  const Block b = block("minidrone", {"vtp", "ibvs"}, {"node:end"}, {"minidrone"});
+  return {at_speeds(b, {std::begin(kPursuitSpeeds_m_s), std::end(kPursuitSpeeds_m_s)}), at_own_speed(b)};
+}
+
 }  // namespace
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> kPresets = {
-      {"topology", "a03, a13, a23, a53 on warehouse at 0.1 m/s", topology_blocks(), false},
-      {"lfpf", "straight and bend, the sweep of delta, the distribution of errors", lfpf_blocks(), true},
-      {"grid-flight", "a node nearby and 20 s above it", grid_flight_blocks(), false},
+      {"topology", "a03, a13, a23, a53 on warehouse at 0.1 m/s", topology_blocks()},
+      {"lfpf", "straight and bend, the sweep of delta, the distribution of errors", lfpf_blocks(), "paper",
+       true},
+      {"grid-flight", "a node nearby and 20 s above it", grid_flight_blocks()},
+      {"vtp", "the red track to its end disc, and landing on it", vtp_blocks(), "minidrone"},
   };
   return kPresets;
 }

@@ -12,7 +12,8 @@ namespace lineservo::apps {
 struct Preset {
   std::string_view name, summary;
   std::vector<Block> blocks;
-  bool histogram = false;  ///< the table shows how the errors are distributed
+  std::string_view conditions = "paper";  ///< unless others are asked for
+  bool histogram = false;                 ///< the table shows how the errors are distributed
 };
 
 const std::vector<Preset>& presets();

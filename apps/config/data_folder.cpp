@@ -16,10 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string folder_of(DataKind kind) {
-  return kind == DataKind::layout ? "layouts" : "conditions";
+  return kind == DataKind::layout ? "layouts" : kind == DataKind::mission ? "missions" : "conditions";
 }
 std::string word_for(DataKind kind) {
-  return kind == DataKind::layout ? "layout" : "conditions";
+  return kind == DataKind::layout ? "layout" : kind == DataKind::mission ? "mission" : "conditions";
+}
+std::string name_of(DataKind kind, const fs::path& file) {
+  return (kind == DataKind::mission ? file.filename() : file.stem()).string();
+}
+bool is_own_file(const std::string& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
 }
 
 /// data/ of the source tree or share/lineservo/data of an installation, found upward from the program.
@@ -53,21 +60,22 @@ std::vector<fs::path> shipped(DataKind kind) {
 }  // namespace
 
 fs::path find_data(DataKind kind, const std::string& name_or_path) {
+  if (kind == DataKind::mission && is_own_file(name_or_path)) return name_or_path;
   std::string names;
   for (const fs::path& file : shipped(kind)) {
-    if (file.stem() == name_or_path) return file;
-    names += (names.empty() ? "" : ", ") + file.stem().string();
+    if (name_of(kind, file) == name_or_path) return file;
+    names += (names.empty() ? "" : ", ") + name_of(kind, file);
   }
-  std::error_code error;
-  if (fs::is_regular_file(name_or_path, error)) return name_or_path;
+  if (is_own_file(name_or_path)) return name_or_path;
   throw InputError(fmt::format("no {} '{}': give the path of a YAML file or one of: {}", word_for(kind),
                                name_or_path, names));
 }
 
 bool is_shipped(DataKind kind, const std::string& name) {
+  if (kind == DataKind::mission && is_own_file(name)) return false;
   const std::vector<fs::path> files = shipped(kind);
   return std::any_of(files.begin(), files.end(),
-                     [&name](const fs::path& file) { return file.stem() == name; });
+                     [&](const fs::path& file) { return name_of(kind, file) == name; });
 }
 
 std::string shipped_text(const fs::path& file) {
@@ -87,7 +95,7 @@ std::vector<DataEntry> list_data(DataKind kind) {
   std::vector<DataEntry> entries;
   for (const fs::path& file : shipped(kind)) {
     const YamlReader yaml(file);
-    entries.push_back({file.stem().string(), yaml.text(yaml.root(), "description", "")});
+    entries.push_back({name_of(kind, file), yaml.text(yaml.root(), "description", "")});
   }
   return entries;
 }

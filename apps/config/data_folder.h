@@ -8,10 +8,11 @@
 namespace lineservo::apps {
 
 /// A kind of file that ships with the program.
-enum class DataKind { layout, conditions };
+enum class DataKind { layout, conditions, mission };
 
-/// The file that a user means: a name that ships ("warehouse") or a path to a file of one's own. Throws
-/// InputError, with the names that there are, for anything else.
+/// The file that a user means: a name that ships ("warehouse") or a path to a file of one's own; of missions,
+/// which go by their file names ("stock-take.yaml"), one's own goes first. Throws InputError, with the names
+/// that there are, for anything else.
 std::filesystem::path find_data(DataKind kind, const std::string& name_or_path);
 
 /// Whether a name is that of something that ships.

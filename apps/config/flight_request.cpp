@@ -9,6 +9,7 @@
 #include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
+#include "apps/config/mission_file.h"
 #include "apps/config/numbers.h"
 #include "apps/config/settings_table.h"
 #include "apps/config/yaml_reader.h"
@@ -115,6 +116,10 @@ class NestedWriter {
 }  // namespace
 
 std::string layout_of_zone(const std::string& instruction) {
+  if (is_mission_file(instruction)) {
+    const MissionFile mission = read_mission(find_data(DataKind::mission, instruction));
+    return mission.layout ? *mission.layout : layout_of_zone(mission.targets.front().target);
+  }
   switch (instruction.empty() ? '\0' : instruction.front()) {
     case 'b':
       return "square";
@@ -168,6 +173,8 @@ FlightRequest read_config(const std::filesystem::path& file) {
     if (!take_mission_key(request, entry, where)) table.set(entry.key, entry.text, where);
   }
   check_whole(yaml, entries, table);
+  if (is_mission_file(request.instruction))
+    request.instruction = beside(file, DataKind::mission, request.instruction);
   request.layout = beside(file, DataKind::layout, request.layout);
   if (!conditions_range(request.conditions))
     request.conditions = beside(file, DataKind::conditions, request.conditions);

@@ -29,7 +29,9 @@ void apply_conditions(FlightRequest& request, const std::string& name_or_path);
 /// Puts one KEY=VALUE over those of the request. Throws InputError.
 void apply_override(FlightRequest& request, const std::string& assignment);
 
-/// The floor that ships for the zone of an instruction (b02: square); warehouse for what names no zone.
+/// The floor that ships for the zone of an instruction (b02: square); warehouse for what names no zone. For a
+/// mission file the layout that it names, or the floor of the zone of its first target; throws InputError
+/// when it cannot be read.
 std::string layout_of_zone(const std::string& instruction);
 
 /// Reads a config.yaml: the request of an earlier flight. Paths of a layout and of conditions are taken from

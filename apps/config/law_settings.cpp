@@ -76,6 +76,7 @@ void SettingsTable::bind_vtp(servo::VtpOptions& o) {
   number("servo.vtp.change_px", o.change_px, 0.0, 100.0);
   number("servo.vtp.arc_px", o.arc_px, 1.0, 1000.0);
   number("servo.vtp.period_s", o.period_s, 0.02, 2.0);
+  number("servo.vtp.marker_step_m_per_px", o.marker_step_m_per_px, 1e-5, 1.0);
 }
 
 void SettingsTable::pid_gains(const std::string& prefix, servo::PidGains& g) {

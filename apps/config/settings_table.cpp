@@ -161,8 +161,21 @@ void SettingsTable::bind_vehicle(vehicle::AirframeParameters& a) {
   number("vehicle.motor_lag_up_s", a.motor_lag_up_s, 1e-4, 0.5);
   number("vehicle.motor_lag_down_s", a.motor_lag_down_s, 1e-4, 0.5);
   number("vehicle.rotor_radius_m", a.rotor_radius_m, 0.01, 1.0);
+  bind_rotor_places(a);
+  number("vehicle.gear_height_m", a.gear_height_m, 0.005, 1.0);
+  number("vehicle.body_half_length_m", a.collision_half_extents_m.x(), 0.01, 2.0);
+  number("vehicle.body_half_width_m", a.collision_half_extents_m.y(), 0.01, 2.0);
+  number("vehicle.body_half_height_m", a.collision_half_extents_m.z(), 0.005, 1.0);
   number("vehicle.body_drag_area_m2", a.body_drag_area_m2, 0.0, 1.0);
   number("vehicle.mass_factor", a.load_factor, 0.5, 2.0);
+}
+
+// In the order of AirframeParameters::rotors, which weak_motor.rotor counts.
+void SettingsTable::bind_rotor_places(vehicle::AirframeParameters& a) {
+  for (std::size_t k = 0; k < a.rotors.size(); ++k) {
+    number(fmt::format("vehicle.rotor_{}.x_m", k + 1), a.rotors[k].x_m, -2.0, 2.0);
+    number(fmt::format("vehicle.rotor_{}.y_m", k + 1), a.rotors[k].y_m, -2.0, 2.0);
+  }
 }
 
 void SettingsTable::bind_autopilot(vehicle::AutopilotOptions& o) {

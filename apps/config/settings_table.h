@@ -41,6 +41,7 @@ class SettingsTable {
   void bind_features(FeatureSettings& f);
   void bind_sensors(SensorSettings& s);
   void bind_vehicle(vehicle::AirframeParameters& a);
+  void bind_rotor_places(vehicle::AirframeParameters& a);
   void bind_autopilot(vehicle::AutopilotOptions& o);
   void bind_laws(servo::LawOptions& l);
   void bind_ibvs(servo::IbvsLineOptions& o);

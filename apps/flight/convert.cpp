@@ -9,6 +9,8 @@
 namespace lineservo::apps {
 namespace {
 
+constexpr double kAboveGear_m = 0.05;  // from where the autopilot lands by itself
+
 using features::radians;
 
 // Of the flight's seed; flight.cpp has the two before.
@@ -140,6 +142,7 @@ servo::ExecutiveOptions executive_options(const Settings& settings, bool land) {
   options.speed_m_s = settings.speed_m_s;
   options.phases.height_m = settings.height_m;
   options.phases.land = land;
+  options.touch_down_m = settings.airframe.gear_height_m + kAboveGear_m;
   return options;
 }
 

@@ -142,6 +142,7 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
                  spoilt(controller_of(request).make(request.settings.laws), request.settings.faults.software),
                  controller_of(request).traits, executive_options(request.settings, request.land)),
       latency_known_(draw_known_latency(request)),
+      time_limit_s_(request.settings.time_limit_s * static_cast<double>(target_steps(plan).size())),
       software_faults_(software_faults(request.settings.faults)) {}
 
 FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {
@@ -295,9 +296,13 @@ void Flight::log(const servo::Observation& observation, const vehicle::Frame* fr
 
 bool Flight::is_over() const {
   const bool on_ground = !vehicle::motors_run(quadrotor_.mode());
-  const bool gave_up = executive_.phase() == Phase::land && on_ground;
+  const bool gave_up = executive_.phase() == Phase::land && on_ground && executive_.ends_on_ground();
   return executive_.phase() == Phase::finished || gave_up || quadrotor_.crashed() || record_.interrupted ||
-         vehicle::seconds(quadrotor_.now()) >= request_.settings.time_limit_s;
+         is_out_of_time();
+}
+
+bool Flight::is_out_of_time() const {
+  return vehicle::seconds(quadrotor_.now()) >= time_limit_s_;
 }
 
 void Flight::finish() {
@@ -306,7 +311,7 @@ void Flight::finish() {
   record_.steps_done = executive_.nodes_recognised();
   record_.crashed = quadrotor_.crashed();
   record_.landed = quadrotor_.mode() == vehicle::AutopilotMode::landed;
-  record_.out_of_time = vehicle::seconds(quadrotor_.now()) >= request_.settings.time_limit_s;
+  record_.out_of_time = is_out_of_time();
 }
 
 }  // namespace lineservo::apps

@@ -50,6 +50,7 @@ class Flight {
   void report(std::string kind, std::string detail);
   bool in_flight() const;
   bool is_over() const;
+  bool is_out_of_time() const;
   void finish();
 
   FlightRequest request_;
@@ -62,6 +63,7 @@ class Flight {
   servo::Odometry odometry_;
   std::deque<TruthSample> exposures_;  ///< of the frames under way
   vehicle::Time latency_known_;        ///< what the law takes the camera's latency for
+  double time_limit_s_;                ///< that of the settings, for each target
   vehicle::Time last_looked_at_{0};    ///< exposure of the last frame that perception saw
   vehicle::AutopilotMode mode_ = vehicle::AutopilotMode::idle;
   SoftwareFaultOptions software_faults_;

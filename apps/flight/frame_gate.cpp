@@ -22,7 +22,8 @@ bool shows_the_same(const cv::Mat& a, const cv::Mat& b) {
 const char* FrameGate::fault_of(const vehicle::Frame& frame, vehicle::Time now, bool in_flight) const {
   if (last_ && frame.stamp <= last_->stamp) return "frames come out of order or twice: those are not used";
   if (now - frame.stamp > oldest_) return "frames come late: those are not used";
-  if (in_flight && last_ && shows_the_same(frame.bgr, last_->bgr)) return "the image does not change: it is not used";
+  if (in_flight && last_ && shows_the_same(frame.bgr, last_->bgr))
+    return "the image does not change: it is not used";
   return nullptr;
 }
 

@@ -2,6 +2,7 @@
 
 #include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
+#include "apps/config/mission_file.h"
 #include "apps/config/text_file.h"
 #include "apps/output/flight_tables.h"
 #include "apps/output/json_text.h"
@@ -27,18 +28,22 @@ void keep(ResultFolder& folder, const std::string& name, const std::optional<std
 }  // namespace
 
 const std::vector<std::string>& flight_files() {
-  static const std::vector<std::string> kFiles = {"layout.yaml", "conditions.yaml", "flight.csv",
-                                                  "events.csv",  "config.yaml",     "summary.json"};
+  static const std::vector<std::string> kFiles = {"mission.yaml", "layout.yaml", "conditions.yaml",
+                                                  "flight.csv",   "events.csv",  "config.yaml",
+                                                  "summary.json"};
   return kFiles;
 }
 
 OwnFiles own_files(const FlightRequest& request) {
-  return {own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions)};
+  const bool is_mission = is_mission_file(request.instruction);
+  return {is_mission ? own_text(DataKind::mission, request.instruction) : std::nullopt,
+          own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions)};
 }
 
 void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnFiles& own,
                   const FlightRecord& record, const FlightSummary& summary) {
   FlightRequest kept = request;
+  keep(folder, "mission.yaml", own.mission, kept.instruction);
   keep(folder, "layout.yaml", own.layout, kept.layout);
   keep(folder, "conditions.yaml", own.conditions, kept.conditions);
   folder.write("flight.csv", flight_csv(record));

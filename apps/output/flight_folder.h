@@ -10,10 +10,10 @@
 
 namespace lineservo::apps {
 
-/// The texts of a user's own layout and conditions, kept beside the results so that config.yaml repeats the
-/// flight wherever the folder is. None for what ships.
+/// The texts of a user's own mission, layout and conditions, kept beside the results so that config.yaml
+/// repeats the flight wherever the folder is. None for what ships.
 struct OwnFiles {
-  std::optional<std::string> layout, conditions;
+  std::optional<std::string> mission, layout, conditions;
 };
 
 /// The names of all that a flight may leave in its folder.

@@ -1,7 +1,9 @@
 #include "apps/output/flight_summary.h"
 
 #include <cmath>
+#include <limits>
 
+#include "apps/config/mission_file.h"
 #include "apps/flight/convert.h"
 #include "apps/output/flight_tables.h"
 #include "apps/version.h"
@@ -10,43 +12,9 @@ namespace lineservo::apps {
 namespace {
 
 using nlohmann::ordered_json;
-using servo::AbortReason;
 
 ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
-/// The node within the arrival radius of a place, or none.
-std::optional<std::size_t> node_at(const vehicle::Layout& floor, const Eigen::Vector2d& p_W) {
-  for (std::size_t i = 0; i < floor.nodes.size(); ++i) {
-    if ((floor.nodes[i].p_W - p_W).norm() <= kArrivalRadius_m) return i;
-  }
-  return std::nullopt;
-}
-
-std::string outcome_of_abort(AbortReason reason) {
-  switch (reason) {
-    case AbortReason::line_lost:
-      return "lost_line";
-    case AbortReason::node_overdue:
-    case AbortReason::out_of_time:
-      return "timeout";
-    default:
-      return "aborted";
-  }
-}
-
-std::string outcome(const FlightRecord& record, const vehicle::Layout& floor, std::size_t target,
-                    const std::optional<Rest>& rest) {
-  if (record.crashed) return "crashed";
-  if (record.abort_reason != AbortReason::none) return outcome_of_abort(record.abort_reason);
-  if (record.interrupted) return "aborted";
-  if (record.out_of_time || !rest) return "timeout";
-  const Eigen::Vector2d place = record.landed ? Eigen::Vector2d(record.truth.back().p_WB.head<2>())
-                                              : Eigen::Vector2d(rest->x_m, rest->y_m);
-  const std::optional<std::size_t> node = node_at(floor, place);
-  if (node == target) return record.landed ? "landed" : "arrived";
-  return node ? "wrong_node" : "timeout";
 }
 
 double flown_m(const FlightRecord& record) {
@@ -103,6 +71,22 @@ ordered_json arrival_json(const std::optional<Rest>& rest) {
   return {{"x_m", rest->x_m}, {"y_m", rest->y_m}, {"heading_rad", rest->heading_rad}};
 }
 
+ordered_json to_json(const TargetScore& t) {
+  const Eigen::Vector2d nowhere = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Eigen::Vector2d landing_W = t.landing_W.value_or(nowhere);
+  return {{"target", t.target},
+          {"node", t.node},
+          {"x_m", t.node_W.x()},
+          {"y_m", t.node_W.y()},
+          {"outcome", t.outcome},
+          {"arrival", arrival_json(t.rest)},
+          {"arrived_s", t.rest ? ordered_json(t.rest->until_s) : ordered_json()},
+          {"terminal_error_m", t.rest ? ordered_json(t.rest->target_error_m) : ordered_json()},
+          {"terminal_max_m", t.rest ? ordered_json(t.rest->target_max_m) : ordered_json()},
+          {"landing", {{"x_m", number(landing_W.x())}, {"y_m", number(landing_W.y())}}},
+          {"landing_error_m", number((landing_W - t.node_W).norm())}};
+}
+
 }  // namespace
 
 FlightSummary summarise(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan,
@@ -110,14 +94,15 @@ FlightSummary summarise(const FlightRequest& request, const vehicle::Layout& flo
   const RouteTruth route = route_truth(floor, plan);
   const features::CameraModel camera(camera_parameters(request.settings.camera));
   FlightSummary summary;
-  summary.target = floor.nodes[route.target].name;
-  summary.target_W = floor.nodes[route.target].p_W;
-  summary.rest = find_rest(record, route, summary.target_W);
-  summary.outcome = outcome(record, floor, route.target, summary.rest);
+  summary.targets = score_targets(record, floor, plan);
+  summary.target = summary.targets.back().node;
+  summary.target_W = summary.targets.back().node_W;
+  summary.rest = summary.targets.back().rest;
+  summary.outcome = flight_outcome(record, summary.targets);
   summary.duration_s = record.truth.empty() ? 0.0 : vehicle::seconds(record.truth.back().t);
   summary.distance_m = flown_m(record);
   summary.tilt_rate_rms_rad_s = tilt_rate_rms_rad_s(record);
-  summary.hold = score_hold(record, summary.target_W);
+  summary.hold = score_hold(record, route.closing_steps.back(), summary.target_W);
   summary.track = score_track(record, route);
   summary.junctions =
       score_junctions(record, JunctionTruth(floor, camera), 1.0 / request.settings.camera.frame_rate_hz);
@@ -139,6 +124,10 @@ ordered_json to_json(const FlightRequest& request, const FlightSummary& s) {
   json["arrival"] = arrival_json(s.rest);
   json["terminal_error_m"] = s.rest ? ordered_json(s.rest->target_error_m) : ordered_json();
   json["terminal_max_m"] = s.rest ? ordered_json(s.rest->target_max_m) : ordered_json();
+  if (is_mission_file(request.instruction)) {
+    json["targets"] = ordered_json::array();
+    for (const TargetScore& target : s.targets) json["targets"].push_back(to_json(target));
+  }
   json["duration_s"] = s.duration_s;
   json["distance_m"] = s.distance_m;
   json["legs"] = ordered_json::array();

@@ -8,6 +8,7 @@
 #include "apps/flight/flight_record.h"
 #include "apps/scoring/hold_score.h"
 #include "apps/scoring/junction_score.h"
+#include "apps/scoring/target_score.h"
 #include "apps/scoring/track_score.h"
 
 namespace lineservo::apps {
@@ -17,7 +18,8 @@ struct FlightSummary {
   std::string outcome;  ///< arrived, landed, lost_line, wrong_node, timeout, crashed, aborted
   std::string target;
   Eigen::Vector2d target_W = Eigen::Vector2d::Zero();
-  std::optional<Rest> rest;
+  std::optional<Rest> rest;          ///< at the last target, as those above
+  std::vector<TargetScore> targets;  ///< of a mission all of them
   double duration_s = 0.0;
   double distance_m = 0.0;
   double tilt_rate_rms_rad_s = 0.0;
@@ -33,7 +35,7 @@ struct FlightSummary {
 FlightSummary summarise(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan,
                         const FlightRecord& record);
 
-/// Numbers, or null where not applicable.
+/// Numbers, or null where not applicable. `targets` is there for a mission only.
 nlohmann::ordered_json to_json(const FlightRequest& request, const FlightSummary& summary);
 
 }  // namespace lineservo::apps

@@ -18,11 +18,11 @@ bool is_under_way(const TruthSample& s) {
 
 }  // namespace
 
-HoldScore score_hold(const FlightRecord& record, const Eigen::Vector2d& target_W) {
+HoldScore score_hold(const FlightRecord& record, int step, const Eigen::Vector2d& target_W) {
   double sum_m = 0.0, max_m = 0.0;
   long count = 0;
   for (const TruthSample& s : record.truth) {
-    if (s.phase != Phase::hover) continue;
+    if (s.phase != Phase::hover || s.step != step) continue;
     const double distance_m = (s.p_WB.head<2>() - target_W).norm();
     sum_m += distance_m;
     max_m = std::max(max_m, distance_m);

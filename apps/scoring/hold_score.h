@@ -6,12 +6,12 @@
 
 namespace lineservo::apps {
 
-/// How well a vehicle held its place: distances to the target over the whole phase *hover*, metres; NaN
-/// without it.
+/// How well a vehicle held its place: distances to the target of a step over the whole phase *hover* there,
+/// metres; NaN without it.
 struct HoldScore {
   double mean_m, max_m;
 };
-HoldScore score_hold(const FlightRecord& record, const Eigen::Vector2d& target_W);
+HoldScore score_hold(const FlightRecord& record, int step, const Eigen::Vector2d& target_W);
 
 /// Control effort: the root mean square of the tilt rate √(p² + q²) from the first *follow* on, in follow,
 /// turn, dock and hover; NaN when there was none.

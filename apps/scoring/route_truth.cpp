@@ -98,6 +98,7 @@ RouteTruth route_truth(const vehicle::Layout& layout, const servo::Plan& plan) {
     if (plan.steps[step].manoeuvre != servo::Manoeuvre::go_straight) {
       finish(leg, layout.nodes[at].name);
       truth.closing_steps.push_back(static_cast<int>(step));
+      truth.closed_by_stop.push_back(plan.steps[step].manoeuvre == servo::Manoeuvre::hover);
       truth.legs.push_back(std::exchange(leg, {}));
       leg.from = layout.nodes[at].name;
     }

@@ -40,8 +40,9 @@ LegOffset offset_after_node(const LegTruth& leg, const Eigen::Vector2d& p_W);
 /// The true way of a flight.
 struct RouteTruth {
   std::vector<LegTruth> legs;
-  std::vector<int> closing_steps;  ///< index of the plan's step that ends the leg: a turn, or the last
-  std::vector<std::size_t> nodes;  ///< of the layout, of each plan step
+  std::vector<int> closing_steps;    ///< index of the plan's step that ends the leg: a turn, or the last
+  std::vector<bool> closed_by_stop;  ///< whether that step is a target: the leg ends before its hover
+  std::vector<std::size_t> nodes;    ///< of the layout, of each plan step
   std::size_t target = 0;
 };
 

@@ -89,16 +89,17 @@ class LegWalker {
     return true;
   }
 
-  /// The flight's end does not count: hovering on the target, landing, giving up.
+  /// What is done at a target does not count, nor the flight's end: hovering, looking, landing, giving up.
   static bool is_over(const TruthSample& s) {
     return s.phase == Phase::hover || s.phase == Phase::land || s.phase == Phase::aborted ||
-           s.phase == Phase::finished;
+           s.phase == Phase::finished || s.phase == Phase::look || s.phase == Phase::rest ||
+           s.phase == Phase::relaunch;
   }
 
   bool is_turning(const TruthSample& s) const {
-    const bool last = leg_ + 1 >= route_.legs.size();
-    return !last && (s.phase == Phase::corner || s.phase == Phase::turn || s.phase == Phase::dock) &&
-           s.step == route_.closing_steps[leg_];
+    if (leg_ + 1 >= route_.legs.size() || s.step != route_.closing_steps[leg_]) return false;
+    const bool docks_to_turn = s.phase == Phase::dock && !route_.closed_by_stop[leg_];
+    return docks_to_turn || s.phase == Phase::corner || s.phase == Phase::turn;
   }
 
   /// The turn has come within 3° of the next edge, or the plan has gone on all the same.
@@ -135,14 +136,13 @@ class LegWalker {
   vehicle::Time leg_began_{0};
 };
 
-bool may_rest(const TruthSample& s, const RouteTruth& route) {
-  const bool at_end = s.step == route.closing_steps.back();
-  return s.phase == Phase::hover || s.phase == Phase::finished || (s.phase == Phase::dock && at_end);
+bool may_rest(const TruthSample& s, int step) {
+  return s.step == step && (s.phase == Phase::hover || s.phase == Phase::finished || s.phase == Phase::dock);
 }
 
 Rest summarise(const std::vector<TruthSample>& truth, std::size_t first, std::size_t last,
                const Eigen::Vector2d& target) {
-  Rest rest{0, 0, 0, 0, 0};
+  Rest rest{0, 0, 0, 0, 0, vehicle::seconds(truth[last - 1].t)};
   const double n = static_cast<double>(last - first);
   for (std::size_t i = first; i < last; ++i) {
     const double distance_m = (truth[i].p_WB.head<2>() - target).norm();
@@ -164,13 +164,12 @@ TrackScore score_track(const FlightRecord& record, const RouteTruth& route) {
   return walker.score();
 }
 
-std::optional<Rest> find_rest(const FlightRecord& record, const RouteTruth& route,
-                              const Eigen::Vector2d& target_W) {
+std::optional<Rest> find_rest(const FlightRecord& record, int step, const Eigen::Vector2d& target_W) {
   const auto needed = static_cast<std::size_t>(kRestTime_s / vehicle::seconds(kTruthPeriod));
   std::size_t still = 0;
   for (std::size_t i = 0; i < record.truth.size(); ++i) {
     const TruthSample& s = record.truth[i];
-    still = may_rest(s, route) && s.v_W.norm() < kRestSpeed_m_s ? still + 1 : 0;
+    still = may_rest(s, step) && s.v_W.norm() < kRestSpeed_m_s ? still + 1 : 0;
     if (still == needed) return summarise(record.truth, i + 1 - needed, i + 1, target_W);
   }
   return std::nullopt;

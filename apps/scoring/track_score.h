@@ -38,19 +38,19 @@ struct TrackScore {
 
 TrackScore score_track(const FlightRecord& record, const RouteTruth& route);
 
-/// Rest of 2 s under 0.03 m/s in dock or hover at the end of the plan.
+/// Rest of 2 s under 0.03 m/s in dock or hover at a target.
 struct Rest {
   double x_m, y_m, heading_rad;  ///< mean
   double target_error_m;         ///< mean distance to the target
   double target_max_m;
+  double until_s = 0.0;  ///< the end of it
 };
 
 inline constexpr double kRestSpeed_m_s = 0.03;
 inline constexpr double kRestTime_s = 2.0;
 inline constexpr double kArrivalRadius_m = 0.3;
 
-/// The first such rest, or none.
-std::optional<Rest> find_rest(const FlightRecord& record, const RouteTruth& route,
-                              const Eigen::Vector2d& target_W);
+/// The first such rest at a step of the plan, or none.
+std::optional<Rest> find_rest(const FlightRecord& record, int step, const Eigen::Vector2d& target_W);
 
 }  // namespace lineservo::apps

@@ -9,15 +9,9 @@
 namespace lineservo::features {
 namespace {
 
-/// All pixels whose centres lie within the radius.
-cv::Mat disc(int radius_px) {
-  cv::Mat kernel(2 * radius_px + 1, 2 * radius_px + 1, CV_8UC1);
-  for (int dy = -radius_px; dy <= radius_px; ++dy)
-    for (int dx = -radius_px; dx <= radius_px; ++dx)
-      kernel.at<std::uint8_t>(dy + radius_px, dx + radius_px) =
-          dx * dx + dy * dy <= radius_px * radius_px ? 1 : 0;
-  return kernel;
-}
+// vtp's camera and flight: 11 px in a frame 160 px wide, f = 145 px, from 1.1 m.
+constexpr int kWidth_px = 160;
+constexpr double kRadius_m = 11.0 * 1.1 / 145.0;
 
 }  // namespace
 
@@ -26,20 +20,23 @@ std::optional<PixelPoint> start_disc(const PackedMask& marker, int limit_px) {
   return profile.foreground > limit_px ? centroid(profile) : std::nullopt;
 }
 
-std::optional<PixelPoint> end_disc(const PackedMask& path, int radius_px) {
-  if (radius_px < 1 || radius_px > 500)
+// A pixel survives the erosion when no background lies within the radius of it.
+std::optional<PixelPoint> end_disc(const PackedMask& path, double radius_px) {
+  if (!(radius_px >= 1.0 && radius_px <= 500.0))
     throw std::invalid_argument("end disc: the radius must be 1 to 500 px");
-  cv::Mat eroded;
-  cv::erode(path.to_mat(), eroded, disc(radius_px));
-  return centroid(profile_of(PackedMask::from_mat(eroded)));
+  cv::Mat background_px;
+  cv::distanceTransform(path.to_mat(), background_px, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  return centroid(profile_of(PackedMask::from_mat(background_px > radius_px)));
 }
 
-std::optional<PixelPoint> end_disc_as_published(const PackedMask& path, cv::Size camera_size) {
-  constexpr int kWidth_px = 160;
-  const int height_px = std::max(1, kWidth_px * camera_size.height / camera_size.width);
+std::optional<PixelPoint> end_disc_as_published(const PackedMask& path, const CameraModel& camera,
+                                                double height_m) {
+  const int height_px = std::max(1, kWidth_px * camera.height_px() / camera.width_px());
+  const double radius_px = kRadius_m / height_m * camera.parameters().fx_px * kWidth_px / camera.width_px();
   cv::Mat small;
   cv::resize(path.to_mat(), small, {kWidth_px, height_px}, 0.0, 0.0, cv::INTER_NEAREST);
-  const std::optional<PixelPoint> centre = end_disc(PackedMask::from_mat(small));
+  const std::optional<PixelPoint> centre =
+      end_disc(PackedMask::from_mat(small), std::clamp(radius_px, 1.0, 500.0));
   if (!centre) return std::nullopt;
   const double scale_x = static_cast<double>(path.width()) / kWidth_px;
   const double scale_y = static_cast<double>(path.height()) / height_px;

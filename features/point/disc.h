@@ -1,8 +1,8 @@
 #pragma once
 
-#include <opencv2/core/types.hpp>
 #include <optional>
 
+#include "features/geometry/camera_model.h"
 #include "features/geometry/points.h"
 #include "features/mask/packed_mask.h"
 
@@ -14,10 +14,12 @@ std::optional<PixelPoint> start_disc(const PackedMask& marker, int limit_px = 35
 /// The centre of the end disc, vtp §3.1: the mask is eroded by a disc of `radius_px` (in the published code
 /// 11 px), which no stripe narrower than that disc survives; the centroid of what is left, or none. What lies
 /// outside the mask erodes nothing. Throws std::invalid_argument unless the radius is 1 to 500 px.
-std::optional<PixelPoint> end_disc(const PackedMask& path, int radius_px = 11);
+std::optional<PixelPoint> end_disc(const PackedMask& path, double radius_px = 11.0);
 
-/// The same in a mask of any size: the mask is brought to the frame that the published radius is for, 160 px
-/// wide and as high as the camera's shape makes it. Pixels of the given mask.
-std::optional<PixelPoint> end_disc_as_published(const PackedMask& path, cv::Size camera_size);
+/// The same in a mask of any size: the mask is brought to vtp's frame, 160 px wide and as high as the
+/// camera's shape makes it, and the radius to the camera and height: on the floor it stays what it is in the
+/// published flight, 8.3 cm, between the disc's 10 cm and the line's 5 cm. Pixels of the given mask.
+std::optional<PixelPoint> end_disc_as_published(const PackedMask& path, const CameraModel& camera,
+                                                double height_m);
 
 }  // namespace lineservo::features

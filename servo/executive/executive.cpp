@@ -15,7 +15,8 @@ constexpr double kSamePlace_m = 1.0;
 /// Phases that go by a place: the start marker or a node.
 bool tracks_node(Phase phase) {
   return phase == Phase::align || phase == Phase::search || phase == Phase::corner || phase == Phase::dock ||
-         phase == Phase::turn || phase == Phase::hover || phase == Phase::land;
+         phase == Phase::turn || phase == Phase::hover || phase == Phase::land || phase == Phase::look ||
+         phase == Phase::relaunch;
 }
 
 std::string told(const NodeSighting& node) {
@@ -71,8 +72,10 @@ Command Executive::decide(const Observation& observation, bool on_ground) {
 }
 
 void Executive::observe(const Observation& observation) {
-  if (pilot_.see_line(observation)) line_seen_ = observation.now;
-  if (last_odometry_) travelled_m_ += between(*last_odometry_, observation.odometry_now).translation_m.x();
+  const bool sees_line = pilot_.see_line(observation);
+  if (sees_line || (pursues() && observation.features.law.target)) line_seen_ = observation.now;
+  if (last_odometry_)
+    travelled_m_ += along_way_m(between(*last_odometry_, observation.odometry_now).translation_m);
   last_odometry_ = observation.odometry_now;
   note_progress(observation.now);
 
@@ -82,13 +85,21 @@ void Executive::observe(const Observation& observation) {
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
         phase_ == Phase::align ? disc_sighting(observation) : node_sighting(observation, current_step());
+    if (!sighting && turns(phase_))
+      sighting = dead_end_sighting(observation, current_step(), pilot_.node_at_capture(observation));
     const bool is_left_behind = !tracks_node(phase_) && !node_ && sighting && sighting->x() < 0.0;
     if (is_left_behind) sighting.reset();  // still in view, but not the next one
     pilot_.see_node(observation, sighting, tracks_node(phase_));
   }
   if (phase_ == Phase::align && pilot_.node_now(observation)) line_seen_ = observation.now;
   if (turns(phase_)) pilot_.see_turn(observation);
+  if (phase_ == Phase::look) lookout_.observe(observation);
   smooth_velocity(observation);
+}
+
+// Along the heading, which is the line's; a law that pursues the line leaves the heading where it is.
+double Executive::along_way_m(const Eigen::Vector2d& moved_H_m) const {
+  return pursues() ? moved_H_m.dot(pilot_.flies_towards_H()) : moved_H_m.x();
 }
 
 // Going back and forth before an obstacle to the law is no progress.
@@ -162,6 +173,8 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.servos_on_node = traits_.servos_on_node;
   s.on_ground = on_ground;
   assess_health(observation, s);
+  s.is_last = is_last_step();
+  s.gave_up = abort_reason_ != AbortReason::none;
   const bool holds = goal_holds(phase_, s, options_.phases);
   if (holds && !goal_held_) goal_began_ = observation.now;
   goal_held_ = holds;
@@ -201,7 +214,9 @@ void Executive::pass_node(Time now) {
 
 void Executive::enter(Phase phase, const Observation& observation) {
   const Phase from = std::exchange(phase_, phase);
+  if (from == Phase::look) report("look", lookout_.told() + " at " + current_step()->node);
   pilot_.change(from, orders(), observation);
+  if (phase == Phase::look) lookout_ = Lookout(pilot_.heading_in_rad());
   if (phase == Phase::follow && from != Phase::search) begin_leg(from, observation);
   if (phase == Phase::search) begin_search(from, observation);
   report("phase", std::string(name(phase)) +
@@ -241,7 +256,11 @@ Eigen::Vector2d Executive::node_drift_H_m_s(const Observation& observation) cons
 
 // A flight that was broken off ends on the ground as well, and has to stay there.
 bool Executive::has_landed() const {
-  return options_.phases.land || abort_reason_ != AbortReason::none;
+  return options_.phases.land || plan().steps.back().stop.land || abort_reason_ != AbortReason::none;
+}
+
+bool Executive::pursues() const {
+  return phase_ == Phase::follow && current_step() && current_step()->pursued;
 }
 
 void Executive::report(std::string kind, std::string detail) {

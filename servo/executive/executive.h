@@ -8,6 +8,7 @@
 #include "servo/executive/executive_options.h"
 #include "servo/executive/junction_matcher.h"
 #include "servo/executive/leg_compass.h"
+#include "servo/executive/lookout.h"
 #include "servo/executive/navigator.h"
 #include "servo/executive/observation_guard.h"
 #include "servo/executive/pilot.h"
@@ -41,12 +42,15 @@ class Executive {
   int nodes_recognised() const { return nodes_recognised_; }
   /// That in force: the codes may have called for another than the one given.
   const Plan& plan() const { return navigator_.plan(); }
+  /// A landing now is the end of the flight: no target comes after it, or the flight was broken off.
+  bool ends_on_ground() const { return abort_reason_ != AbortReason::none || is_last_step(); }
   /// The events since the last call.
   std::vector<ExecutiveEvent> take_events();
 
  private:
   void observe(const Observation& observation);
   void note_progress(Time now);
+  double along_way_m(const Eigen::Vector2d& moved_H_m) const;
   std::optional<NodeSighting> node_told(const Observation& observation);
   void smooth_velocity(const Observation& observation);
   Situation assess(const Observation& observation, bool on_ground);
@@ -62,7 +66,10 @@ class Executive {
 
   Eigen::Vector2d node_drift_H_m_s(const Observation& observation) const;
   bool has_landed() const;
+  bool is_last_step() const { return navigator_.index() + 1 >= plan().steps.size(); }
   const PlanStep* current_step() const { return navigator_.step(); }
+  /// The law leads along the line by itself, whatever the heading.
+  bool pursues() const;
   void report(std::string kind, std::string detail);
 
   ObservationGuard guard_;
@@ -74,6 +81,7 @@ class Executive {
   CentroidBend centroid_bend_;
   LegCompass compass_;
   Observation reordered_;  ///< with the line that goes straight on before the others
+  Lookout lookout_;
 
   Phase phase_ = Phase::take_off;
   AbortReason abort_reason_ = AbortReason::none;

@@ -27,6 +27,8 @@ struct ExecutiveOptions {
   double heading_gain_per_s = 0.5;  ///< for laws that do not steer the heading
   double heading_rate_limit_rad_s = 0.1;
   double blind_share = 0.4;    ///< of the height of flight, below which a node is no guide for landing
+  double sink_rate_m_s = 0.2;  ///< from there on
+  double touch_down_m = 0.15;  ///< height from which the autopilot lands by itself, just above the gear
   double descent_share = 0.8;  ///< height aimed at on the way down, of that now
   double speed_time_constant_s = 0.5;  ///< over which the speed that counts as rest is averaged
 };

@@ -14,7 +14,8 @@ constexpr int kMostPlans = 6;
 constexpr double kLengthTolerance = 0.2;
 
 Whereabouts start_of(const Plan& plan) {
-  if (!plan.floor || plan.route.empty()) return {};
+  const bool by_codes = plan.floor && !plan.route.empty() && !plan.steps.front().pursued;
+  if (!by_codes) return {};
   const auto& arms = plan.floor->nodes[plan.floor->start].arms;
   const TopologyArm& first = plan.route.front();
   for (std::size_t k = 0; k < arms.size(); ++k) {
@@ -49,12 +50,14 @@ Navigator::Verdict Navigator::judge(const NodeSighting& node, const Whereabouts:
 }
 
 bool Navigator::plan_anew(const Whereabouts::Belief& belief) try {
-  if (plans_made_ >= kMostPlans) return false;
+  const bool has_one_target = target_steps(plan_).size() == 1;
+  if (plans_made_ >= kMostPlans || !has_one_target) return false;
   const auto& nodes = plan_.floor->nodes;
   const auto target = std::ranges::find(nodes, plan_.target, &TopologyNode::name);
   if (target == nodes.end()) return false;
-  plan_ = compile_onward(plan_.floor, whereabouts_.arm(belief.arm),
-                         static_cast<std::size_t>(target - nodes.begin()), plan_.instruction);
+  const PlanStep& last = plan_.steps.back();
+  const Visit visit{static_cast<std::size_t>(target - nodes.begin()), last.target, last.stop};
+  plan_ = compile_onward(plan_.floor, whereabouts_.arm(belief.arm), visit, plan_.instruction);
   step_ = 0;
   ++plans_made_;
   return true;
@@ -63,7 +66,7 @@ bool Navigator::plan_anew(const Whereabouts::Belief& belief) try {
 }
 
 void Navigator::advance() {
-  whereabouts_.leave(step() && step()->manoeuvre == Manoeuvre::turn ? step()->turn_rad : 0.0);
+  whereabouts_.leave(step() ? step()->turn_rad : 0.0);
   ++step_;
 }
 

@@ -23,4 +23,9 @@ std::optional<Eigen::Vector2d> NodeTracker::node_now(const Observation& observat
   return after(observation.odometry_now, *node_O_);
 }
 
+std::optional<Eigen::Vector2d> NodeTracker::node_at_capture(const Observation& observation) const {
+  if (!node_O_) return std::nullopt;
+  return after(observation.odometry_at_capture, *node_O_);
+}
+
 }  // namespace lineservo::servo

@@ -22,6 +22,8 @@ class NodeTracker {
   void observe(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m);
   /// The node's centre now, heading frame; none when nothing is tracked.
   std::optional<Eigen::Vector2d> node_now(const Observation& observation) const;
+  /// The same as it was when the frame was taken.
+  std::optional<Eigen::Vector2d> node_at_capture(const Observation& observation) const;
 
  private:
   Options options_;

@@ -27,6 +27,24 @@ Phase after_docking(const Situation& s) {
   return s.step && s.step->manoeuvre == Manoeuvre::turn ? Phase::turn : Phase::hover;
 }
 
+double hover_time_s(const Situation& s, const PhaseOptions& o) {
+  return s.step ? s.step->stop.hover_s.value_or(o.hover_s) : o.hover_s;
+}
+
+Phase after_looking(const Situation& s, const PhaseOptions& o) {
+  const bool lands = (s.step && s.step->stop.land) || (s.is_last && o.land);
+  if (lands) return Phase::land;
+  return s.is_last ? Phase::finished : Phase::turn;
+}
+
+Phase after_hovering(const Situation& s, const PhaseOptions& o) {
+  return s.step && s.step->stop.look ? Phase::look : after_looking(s, o);
+}
+
+double turn_limit_s(Phase phase, const PhaseOptions& o) {
+  return phase == Phase::look ? 2.0 * o.turn_limit_s : o.turn_limit_s;
+}
+
 bool needs_line(Phase phase) {
   return phase == Phase::align || phase == Phase::follow;
 }
@@ -53,7 +71,8 @@ AbortReason abort_reason_of_vehicle(Phase phase, const Situation& s, const Phase
   if (s.height_age_s > o.sensor_memory_s) return AbortReason::height_unknown;
   if (s.velocity_age_s > o.sensor_memory_s) return AbortReason::velocity_unknown;
   if (s.flight_s > o.endurance_s - o.landing_reserve_s) return AbortReason::out_of_time;
-  if (s.on_ground && phase != Phase::take_off) return AbortReason::grounded;
+  const bool may_stand = phase == Phase::take_off || phase == Phase::rest || phase == Phase::relaunch;
+  if (s.on_ground && !may_stand) return AbortReason::grounded;
   return AbortReason::none;
 }
 
@@ -86,6 +105,12 @@ std::string_view name(Phase phase) {
       return "aborted";
     case Phase::finished:
       return "finished";
+    case Phase::look:
+      return "look";
+    case Phase::rest:
+      return "rest";
+    case Phase::relaunch:
+      return "relaunch";
     case Phase::search:
       return "search";
   }
@@ -140,6 +165,10 @@ bool docked(const Situation& s, const PhaseOptions& o) {
   return s.node_distance_m && *s.node_distance_m < o.dock_distance_m && s.speed_m_s < o.dock_speed_m_s;
 }
 
+bool relaunched(const Situation& s, const PhaseOptions& o) {
+  return at_height(s, o) && (docked(s, o) || !s.servos_on_node);
+}
+
 bool turned(const Situation& s, const PhaseOptions& o) {
   const bool on_line = s.line_angle_rad || !s.servos_on_node;
   return on_line && std::abs(s.turn_left_rad) < o.turn_angle_rad;
@@ -176,7 +205,10 @@ bool goal_holds(Phase phase, const Situation& s, const PhaseOptions& o) {
     case Phase::dock:
       return docked(s, o);
     case Phase::turn:
+    case Phase::look:
       return turned(s, o);
+    case Phase::relaunch:
+      return relaunched(s, o);
     case Phase::search:
       return found(s, o);
     default:
@@ -199,8 +231,11 @@ AbortReason abort_reason(Phase phase, const Situation& s, const PhaseOptions& o)
   if (phase == Phase::dock && s.phase_s > o.dock_limit_s) return AbortReason::node_lost;
   if (phase == Phase::search && s.search_is_over)
     return s.searched_from == Phase::dock ? AbortReason::node_lost : AbortReason::line_lost;
-  const bool turns = phase == Phase::turn || phase == Phase::corner;
-  if (turns && s.phase_s > o.turn_limit_s) return AbortReason::turn_failed;
+  const bool turns = phase == Phase::turn || phase == Phase::corner || phase == Phase::look;
+  if (turns && s.phase_s > turn_limit_s(phase, o)) return AbortReason::turn_failed;
+  if (phase == Phase::relaunch && s.phase_s > o.take_off_limit_s + o.dock_limit_s)
+    return s.height_m < o.height_m - o.height_tolerance_m ? AbortReason::take_off_failed
+                                                          : AbortReason::node_lost;
   return AbortReason::none;
 }
 
@@ -222,10 +257,16 @@ Phase next(Phase phase, const Situation& s, const PhaseOptions& o) {
     case Phase::turn:
       return settled(s, o) ? Phase::follow : phase;
     case Phase::hover:
-      if (s.phase_s < o.hover_s) return phase;
-      return o.land ? Phase::land : Phase::finished;
+      return s.phase_s < hover_time_s(s, o) ? phase : after_hovering(s, o);
+    case Phase::look:
+      return settled(s, o) ? after_looking(s, o) : phase;
     case Phase::land:
-      return s.on_ground ? Phase::finished : phase;
+      if (!s.on_ground) return phase;
+      return s.is_last || s.gave_up ? Phase::finished : Phase::rest;
+    case Phase::rest:
+      return s.step && s.phase_s < s.step->stop.ground_s ? phase : Phase::relaunch;
+    case Phase::relaunch:
+      return settled(s, o) ? Phase::turn : phase;
     case Phase::aborted:
       return s.phase_s < hover_before_landing_s(s, o) ? phase : Phase::land;
     case Phase::finished:

@@ -9,9 +9,25 @@
 namespace lineservo::servo {
 
 /// What the vehicle is doing. `corner` is a turn that is flown without a stop. `aborted` hovers for a while
-/// and then lands; `finished` is the end of the flight. `search` looks for a line or a node that went out of
-/// sight.
-enum class Phase { take_off, align, follow, corner, turn, dock, hover, land, aborted, finished, search };
+/// and then lands; `finished` is the end of the flight. Between two targets of a mission: `look` turns once
+/// about itself, `rest` stands on the ground, `relaunch` comes back to the height above the same node.
+/// `search` looks for a line or a node that went out of sight.
+enum class Phase {
+  take_off,
+  align,
+  follow,
+  corner,
+  turn,
+  dock,
+  hover,
+  land,
+  aborted,
+  finished,
+  look,
+  rest,
+  relaunch,
+  search
+};
 
 std::string_view name(Phase phase);
 
@@ -60,7 +76,7 @@ struct PhaseOptions {
   double not_finite_limit_s = 0.5;  ///< of estimates or a law's commands that are not finite
   double turn_off_limit_s = 1.0;    ///< of a line on a straight edge that leads elsewhere
   double stuck_limit_s = 20.0;
-  double endurance_s = 1200.0;      ///< of the battery, since its switching on
+  double endurance_s = 3600.0;      ///< of the battery, since its switching on
   double landing_reserve_s = 15.0;  ///< of it, kept for landing
 };
 
@@ -94,6 +110,8 @@ struct Situation {
   bool search_is_over = false;
   Phase searched_from = Phase::follow;
   AbortReason given_up = AbortReason::none;
+  bool is_last = true;   ///< no target comes after the step
+  bool gave_up = false;  ///< the flight was broken off
 };
 
 /// Each is one condition of the transition function.
@@ -101,6 +119,8 @@ bool at_height(const Situation& s, const PhaseOptions& o);
 /// On the line's heading; a law that docks also above the start marker or, without one, on the line.
 bool aligned(const Situation& s, const PhaseOptions& o);
 bool docked(const Situation& s, const PhaseOptions& o);
+/// At height, and a law that docks above its node.
+bool relaunched(const Situation& s, const PhaseOptions& o);
 /// By the next line's angle; a law that turns where its code came may not see that line yet and goes by the
 /// gyro.
 bool turned(const Situation& s, const PhaseOptions& o);

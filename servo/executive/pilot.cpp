@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "features/geometry/angles.h"
 #include "servo/law/height_rate.h"
 
 namespace lineservo::servo {
@@ -12,6 +13,11 @@ namespace {
 VelocityCommand moving_as(const Observation& o) {
   if (!o.v_H_m_s.allFinite()) return {};
   return {o.v_H_m_s.x(), o.v_H_m_s.y(), o.v_H_m_s.z(), 0.0};
+}
+
+/// A corner that is ended at rest is the same turn still.
+bool begins_turn(Phase from, Phase to) {
+  return turns(to) && !(from == Phase::corner && to == Phase::turn);
 }
 
 }  // namespace
@@ -43,12 +49,17 @@ void Pilot::see_node(const Observation& observation, const std::optional<Eigen::
 
 void Pilot::change(Phase from, const Orders& orders, const Observation& observation) {
   const Phase to = orders.phase;
-  if (turns(to) && !turns(from)) {
-    turn_ = Turn(observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0), orders.step->turn_rad);
-  }
+  if (begins_turn(from, to)) turn_ = turn_in(orders, observation);
   if (to == Phase::corner) arc_ = arc_from_here(orders.step, observation);
-  if (to == Phase::dock || to == Phase::corner || to == Phase::align) dock_law_.reset();
+  if (to == Phase::dock || to == Phase::corner || to == Phase::align || to == Phase::relaunch)
+    dock_law_.reset();
+  if (to == Phase::relaunch) tracker_.reset();
   if (to == Phase::follow || to == Phase::align) law_->reset();
+}
+
+Turn Pilot::turn_in(const Orders& orders, const Observation& observation) const {
+  const double heading_in_rad = observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0);
+  return Turn(heading_in_rad, orders.phase == Phase::look ? 2.0 * features::kPi : orders.step->turn_rad);
 }
 
 Command Pilot::fly(const Orders& orders, const Observation& observation, double dt_s) {
@@ -70,6 +81,11 @@ bool Pilot::past_corner(const Observation& observation) const {
   return path && path->nearest_way_m(Eigen::Vector2d::Zero()) > path->arc_end_m();
 }
 
+Eigen::Vector2d Pilot::flies_towards_H() const {
+  const Eigen::Vector2d wanted_m_s(last_command_.forward_m_s, last_command_.left_m_s);
+  return wanted_m_s.normalized();
+}
+
 Command Pilot::command(const Orders& orders, const Observation& observation) {
   switch (orders.phase) {
     case Phase::take_off:
@@ -83,6 +99,7 @@ Command Pilot::command(const Orders& orders, const Observation& observation) {
     case Phase::dock:
       return hold_node(observation);
     case Phase::turn:
+    case Phase::look:
       return turn(observation);
     case Phase::hover:
       return hover(observation);
@@ -92,6 +109,10 @@ Command Pilot::command(const Orders& orders, const Observation& observation) {
       return land(observation);
     case Phase::search:
       return search(observation);
+    case Phase::rest:
+      return LandCommand{};
+    case Phase::relaunch:
+      return relaunch(observation);
     case Phase::finished:
       return orders.keeps_landed ? Command(LandCommand{}) : Command(stay(observation));
   }
@@ -125,16 +146,18 @@ VelocityCommand Pilot::stay(const Observation& observation, double yaw_rate_rad_
 Command Pilot::align(const Observation& observation) {
   const bool holds_marker = tracker_.node_now(observation) && (traits_.servos_on_node || !line_angle_rad_);
   if (holds_marker) return hold_node(observation);
-  if (traits_.servos_on_node) return follow_at(observation, 0.0, false);
+  if (traits_.servos_on_node) return follow_at(observation, 0.0, nullptr);
   return stay(observation, turn_rate(-line_angle_rad_.value_or(0.0), options_.turn));
 }
 
 Command Pilot::follow(const Orders& orders, const Observation& observation) {
-  return follow_at(observation, approach_speed(orders, observation), orders.step && orders.step->edge_bends);
+  return follow_at(observation, approach_speed(orders, observation), orders.step);
 }
 
-Command Pilot::follow_at(const Observation& observation, double speed_m_s, bool curved) {
-  const bool yaws_itself = traits_.steers_heading || (curved && traits_.yaws_on_bends);
+Command Pilot::follow_at(const Observation& observation, double speed_m_s, const PlanStep* step) {
+  const bool curved = step && step->edge_bends;
+  const bool pursues = step && step->pursued;
+  const bool yaws_itself = traits_.steers_heading || pursues || (curved && traits_.yaws_on_bends);
   const double held_rad_s = yaws_itself ? 0.0 : heading_hold_rad_s();
   Command command = law_->follow(observation, {speed_m_s, options_.phases.height_m, curved, held_rad_s});
   auto* velocity = std::get_if<VelocityCommand>(&command);
@@ -230,11 +253,13 @@ VelocityCommand Pilot::corner(const Observation& observation) {
   return dock_law_.hold(observation, goal);
 }
 
-// Above the node as long as the height lets the camera see it; the autopilot does the rest.
+// Above the node as long as the height lets the camera see it, then straight down; the autopilot does the
+// rest.
 Command Pilot::land(const Observation& observation) {
+  if (!traits_.servos_on_node || !(observation.height_m > options_.touch_down_m)) return LandCommand{};
+  if (observation.height_m < options_.blind_share * options_.phases.height_m) return sink(observation);
   const auto node = tracker_.node_now(observation);
-  const double blind_m = options_.blind_share * options_.phases.height_m;
-  if (!traits_.servos_on_node || !node || !(observation.height_m > blind_m)) return LandCommand{};
+  if (!node) return LandCommand{};
   return dock_law_.hold(observation,
                         {*node, line_angle_rad_, 0.0, options_.descent_share * observation.height_m});
 }
@@ -245,6 +270,18 @@ VelocityCommand Pilot::search(const Observation& observation) {
   command.forward_m_s = v_H_m_s.x();
   command.left_m_s = v_H_m_s.y();
   return command;
+}
+
+// Straight up while the camera is too low to see the node.
+VelocityCommand Pilot::relaunch(const Observation& observation) {
+  const bool sees = traits_.servos_on_node && tracker_.node_now(observation);
+  return sees ? hold_node(observation) : climb(observation);
+}
+
+// Straight down, less the drift that was learnt above the node.
+VelocityCommand Pilot::sink(const Observation& observation) const {
+  const Eigen::Vector2d drift_H_m_s = dock_law_.drift_H_m_s(observation);
+  return {-drift_H_m_s.x(), -drift_H_m_s.y(), -options_.sink_rate_m_s, 0.0};
 }
 
 VelocityCommand Pilot::turn(const Observation& observation) {

@@ -54,12 +54,20 @@ class Pilot {
   Eigen::Vector2d drift_H_m_s(const Observation& observation) const {
     return dock_law_.drift_H_m_s(observation);
   }
+  /// The same node as it was when the frame was taken.
+  std::optional<Eigen::Vector2d> node_at_capture(const Observation& observation) const {
+    return tracker_.node_at_capture(observation);
+  }
+  /// Of the dead reckoning, with which the turn began.
+  double heading_in_rad() const { return turn_.heading_in_rad(); }
   double turn_left_rad(const Observation& observation) const { return turn_.left_rad(observation); }
   /// The turn that comes can be flown without a stop.
   bool rounds_corner(const PlanStep* step, const Observation& observation) const;
   /// The way along the corner that is being flown, from the middle of its arc; none without its node.
   std::optional<double> corner_way_m(const Observation& observation) const;
   bool past_corner(const Observation& observation) const;
+  /// The direction of the last velocity command, of unit length; zero at rest.
+  Eigen::Vector2d flies_towards_H() const;
 
  private:
   Command command(const Orders& orders, const Observation& observation);
@@ -69,11 +77,15 @@ class Pilot {
   VelocityCommand stay(const Observation& observation, double yaw_rate_rad_s = 0.0) const;
   Command align(const Observation& observation);
   Command follow(const Orders& orders, const Observation& observation);
-  Command follow_at(const Observation& observation, double speed_m_s, bool curved);
+  /// `step`: whose edge is followed; none: a straight one.
+  Command follow_at(const Observation& observation, double speed_m_s, const PlanStep* step);
   double heading_hold_rad_s() const;
   VelocityCommand hold_node(const Observation& observation);
   Command hover(const Observation& observation);
   Command land(const Observation& observation);
+  VelocityCommand relaunch(const Observation& observation);
+  Turn turn_in(const Orders& orders, const Observation& observation) const;
+  VelocityCommand sink(const Observation& observation) const;
   VelocityCommand corner(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
   VelocityCommand search(const Observation& observation);
@@ -98,9 +110,9 @@ class Pilot {
   std::optional<Time> refuses_since_;
 };
 
-/// Phases that change the heading from one edge to the next.
+/// Phases that change the heading from one edge to the next, or to the same again.
 constexpr bool turns(Phase phase) {
-  return phase == Phase::turn || phase == Phase::corner;
+  return phase == Phase::turn || phase == Phase::corner || phase == Phase::look;
 }
 
 }  // namespace lineservo::servo

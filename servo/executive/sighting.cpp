@@ -24,8 +24,22 @@ bool expects_disc(const PlanStep* step) {
   return step && step->expected.code == features::JunctionCode::start;
 }
 
+bool is_pursued(const PlanStep* step) {
+  return step && step->pursued;
+}
+
+bool expects_dead_end(const PlanStep* step) {
+  return step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
+}
+
 bool expects_bend(const PlanStep* step) {
   return step && step->expected.bend != Bend::none;
+}
+
+features::CodeReading plain_line() {
+  features::CodeReading reading;
+  reading.smoothed = features::JunctionCode::straight;
+  return reading;
 }
 
 /// By two arms, of which one leads back and the other ahead to a side.
@@ -49,6 +63,7 @@ std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
 
 features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
   features::CodeReading reading = o.features.code;
+  if (is_pursued(step) && reading.smoothed != features::JunctionCode::start) return plain_line();
   if (expects_bend(step) && reading.smoothed == features::JunctionCode::straight)
     reading.line_ends_ahead = false;
   if (reading.smoothed != features::JunctionCode::start) return reading;
@@ -61,12 +76,23 @@ features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
 std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step) {
   if (expects_disc(step)) return disc_sighting(o);
   if (o.features.junction) return floor_point_m(o.features.junction->centre, o.capture_height_m);
-  const bool dead_end =
-      step && step->expected.line_ends && step->expected.code == features::JunctionCode::straight;
-  if (dead_end && line_to_follow(o) && o.features.code.line_ends_ahead) {
+  if (expects_dead_end(step) && line_to_follow(o) && o.features.code.line_ends_ahead) {
     return floor_point_m(line_to_follow(o)->end, o.capture_height_m);
   }
   return std::nullopt;
+}
+
+std::optional<Eigen::Vector2d> dead_end_sighting(const Observation& o, const PlanStep* step,
+                                                 const std::optional<Eigen::Vector2d>& where_m) {
+  if (!expects_dead_end(step) || !where_m) return std::nullopt;
+  std::optional<Eigen::Vector2d> nearest_m;
+  for (const features::LineFeature& line : o.features.lines) {
+    for (const features::LevelPoint& end : {line.begin, line.end}) {
+      const Eigen::Vector2d end_m = floor_point_m(end, o.capture_height_m);
+      if (!nearest_m || (end_m - *where_m).norm() < (*nearest_m - *where_m).norm()) nearest_m = end_m;
+    }
+  }
+  return nearest_m;
 }
 
 Bend bend_sighting(const Observation& o, const PlanStep* step) {

@@ -16,6 +16,11 @@ std::optional<Eigen::Vector2d> disc_sighting(const Observation& o);
 /// end. Heading frame at the frame's capture, metres.
 std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step);
 
+/// The dead end that the step expects, at whatever angle its line lies while the vehicle turns over it: of
+/// all ends of lines the one nearest to where it must be. Heading frame at the frame's capture, metres.
+std::optional<Eigen::Vector2d> dead_end_sighting(const Observation& o, const PlanStep* step,
+                                                 const std::optional<Eigen::Vector2d>& where_m);
+
 /// How the line bends at the junction in view, where the step expects a bend.
 Bend bend_sighting(const Observation& o, const PlanStep* step);
 

@@ -20,7 +20,8 @@ constexpr std::string_view kAlg2Read = "roll and pitch of Alg. 2 as its text mea
 constexpr std::string_view kGainsOurs = "gains by pole placement; the paper prints none";
 constexpr std::string_view kPlainLineOnly =
     "the point counts on a plain line only; past junctions it flies by odometry and the drift learnt";
-constexpr std::string_view kTurnedInHover = "the executive turns it in hover where its paper flies sideways";
+constexpr std::string_view kTurnedInHover =
+    "where lines branch the executive turns it in hover; its paper flies sideways";
 constexpr std::string_view kArcFollowsStripe =
     "arc of 1.6 half stripe widths and erosion in proportion, unless it flies its own red track";
 constexpr std::string_view kArcNeverSmaller =
@@ -108,7 +109,7 @@ const std::vector<Controller>& controllers() {
        }},
       {"vtp",
        "pure pursuit of the virtual target point by position steps (vtp)",
-       {false, false},
+       {.servos_on_node = false, .steers_heading = false, .pursues_line = true},
        "fpd",
        {.target_point = true, .tilt_corrected = false},
        published_speed_m_s(VtpOptions{}),

@@ -23,6 +23,8 @@ struct LawTraits {
       true;  ///< otherwise the executive holds the heading on the line, in the place of a compass
   bool yaws_on_bends =
       false;  ///< on an edge that bends the law's own yaw counts, whatever holds it elsewhere
+  bool pursues_line =
+      false;  ///< it needs no heading: a line without branches it follows to the end by itself
 };
 
 /// A law that follows a line: features in, command out. Knows no plan, no clock, no camera.

@@ -22,9 +22,25 @@ Command VtpLaw::follow(const Observation& observation, const FollowGoal& goal) {
     step_H_m_ = step_m(observation.features.law.target);
     stepped_ = observation.captured;
   }
-  const double scale = goal.speed_m_s / published_speed_m_s(options_);
+  return step_towards(observation, goal, goal.speed_m_s / published_speed_m_s(options_));
+}
+
+// w_k+1 = w_k + 0.0022·e, with the marker's centre e in pixels (published code).
+std::optional<Command> VtpLaw::hover(const Observation& observation, const FollowGoal& goal) {
+  const auto& marker = observation.features.start_marker;
+  if (!marker || !marker->vector().allFinite()) return std::nullopt;
+  if (step_is_due(observation)) {
+    const Eigen::Vector2d error_px = options_.focal_px * Eigen::Vector2d(-marker->y, -marker->x);
+    step_H_m_ = options_.marker_step_m_per_px * error_px;
+    stepped_ = observation.captured;
+  }
+  return step_towards(observation, goal, 1.0);
+}
+
+VelocityCommand VtpLaw::step_towards(const Observation& observation, const FollowGoal& goal,
+                                     double scale) const {
   const Eigen::Vector2d v_H_m_s = scale * step_H_m_ / options_.period_s;
-  return VelocityCommand{v_H_m_s.x(), v_H_m_s.y(), height_rate(observation.height_m, goal.height_m), 0.0};
+  return {v_H_m_s.x(), v_H_m_s.y(), height_rate(observation.height_m, goal.height_m), 0.0};
 }
 
 bool VtpLaw::step_is_due(const Observation& observation) const {

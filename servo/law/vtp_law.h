@@ -10,10 +10,12 @@ namespace lineservo::servo {
 /// Parameters of vtp's published code, for its own track: pixels of its 160×120 frame, metres of its steps.
 struct VtpOptions {
   double step_m_per_px = 0.0038;
-  double change_m_per_px = 0.002;  ///< on top, of the error's change since the last step
-  double change_px = 2.0;          ///< least change that counts
-  double arc_px = 27.5;            ///< radius of the arc on which the target lies
-  double period_s = 0.2;           ///< T_IPS
+  double change_m_per_px = 0.002;        ///< on top, of the error's change since the last step
+  double change_px = 2.0;                ///< least change that counts
+  double arc_px = 27.5;                  ///< radius of the arc on which the target lies
+  double period_s = 0.2;                 ///< T_IPS
+  double marker_step_m_per_px = 0.0022;  ///< towards the end marker
+  double focal_px = 145.0;               ///< of its camera, for the marker's place in its frame
 };
 
 /// The speed towards a target straight ahead on the published arc: 0.52 m/s.
@@ -33,8 +35,11 @@ class VtpLaw final : public FollowLaw {
 
   void reset() override;
   Command follow(const Observation& observation, const FollowGoal& goal) override;
+  /// State End-Marker: steps towards the disc in view, each on a new frame. None without a disc.
+  std::optional<Command> hover(const Observation& observation, const FollowGoal& goal) override;
 
  private:
+  VelocityCommand step_towards(const Observation& observation, const FollowGoal& goal, double scale) const;
   bool step_is_due(const Observation& observation) const;
   /// Forward and left, in metres of the published track.
   Eigen::Vector2d step_m(const std::optional<features::LevelPoint>& target);

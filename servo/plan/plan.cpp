@@ -79,9 +79,8 @@ PlanStep arrive(const Topology& topology, const TopologyArm& by) {
   return step;
 }
 
-/// The vehicle is put down facing the first edge: no other arm may pass for it.
-void check_start(const Topology& topology, const TopologyArm& first) {
-  const TopologyNode& start = topology.nodes[topology.start];
+/// The vehicle is put down, or turns, facing the first edge: no other arm may pass for it.
+void check_first_edge(const TopologyNode& start, const TopologyArm& first) {
   for (const TopologyArm& arm : start.arms) {
     const double apart_rad = wrap_angle(arm.heading_rad - first.heading_rad);
     const bool is_itself = arm.edge == first.edge && apart_rad == 0.0;
@@ -123,7 +122,7 @@ struct UnseenEdges {
 
 /// Nodes that the camera cannot tell and that ask for nothing are driven over: their edges go to the next
 /// step.
-void append(std::vector<PlanStep>& steps, PlanStep step, UnseenEdges& unseen) {
+void append(PlanStep step, std::vector<PlanStep>& steps, UnseenEdges& unseen) {
   step.edge_length_m += unseen.length_m;
   step.edge_bends |= unseen.bend;
   if (step.manoeuvre == Manoeuvre::go_straight && looks_like_plain_line(step.expected)) {
@@ -140,23 +139,38 @@ bool ends_a_round(const TopologyNode& start) {
   return start.has_disc && arms.size() == 2 && near(arms[0].heading_rad - arms[1].heading_rad, kPi);
 }
 
-/// The steps of the plan's route, which leaves `from`.
-void add_steps(Plan& plan, const Topology& topology, std::size_t from) {
-  const Route& route = plan.route;
+void check_leads_on(const Topology& topology, std::size_t from, const Visit& visit, bool begins) {
+  if (visit.node != from || ends_a_round(topology.nodes[from])) return;
+  throw std::invalid_argument(visit.target + ": the target " + topology.nodes[from].name +
+                              (begins ? " is the take-off point itself" : " is where the target before is") +
+                              " (allowed where it is a disc on plain line: one round)");
+}
+
+PlanStep arrive_at_target(const Topology& topology, const TopologyArm& by, const Visit& visit) {
+  PlanStep step = arrive(topology, by);
+  if (looks_like_plain_line(step.expected))
+    throw std::invalid_argument(visit.target + ": the camera cannot tell " + step.node + " from plain line");
+  step.manoeuvre = Manoeuvre::hover;
+  step.target = visit.target;
+  step.stop = visit.stop;
+  return step;
+}
+
+/// The steps along a route to a target.
+std::vector<PlanStep> leg(const Topology& topology, std::size_t from, const Route& route,
+                          const Visit& visit) {
+  std::vector<PlanStep> steps;
   UnseenEdges unseen;
-  for (std::size_t k = 0; k < route.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < route.size(); ++k) {
     check_corners(topology, route[k], topology.nodes[k == 0 ? from : route[k - 1].to].name);
     PlanStep step = arrive(topology, route[k]);
-    if (k + 1 < route.size()) {
-      leave(step, route[k], route[k + 1]);
-    } else if (looks_like_plain_line(step.expected)) {
-      throw std::invalid_argument(plan.instruction + ": the camera cannot tell " + plan.target +
-                                  " from plain line");
-    } else {
-      step.manoeuvre = Manoeuvre::hover;
-    }
-    append(plan.steps, std::move(step), unseen);
+    leave(step, route[k], route[k + 1]);
+    append(std::move(step), steps, unseen);
   }
+  check_corners(topology, route.back(),
+                topology.nodes[route.size() < 2 ? from : route[route.size() - 2].to].name);
+  append(arrive_at_target(topology, route.back(), visit), steps, unseen);
+  return steps;
 }
 
 std::string labels_of(const Topology& topology) {
@@ -178,34 +192,60 @@ NodeSignature signature(const std::vector<double>& arm_angles_rad) {
   return {code_of(ahead), code_of(arms), !arms.forward, Bend::none};
 }
 
-Plan compile(const Topology& topology, std::size_t target, std::string instruction) {
-  const std::string& target_name = topology.nodes.at(target).name;
-  if (target == topology.start && !ends_a_round(topology.nodes[target])) {
-    throw std::invalid_argument(
-        instruction + ": the target " + target_name +
-        " is the take-off point itself (allowed where it is a disc on plain line: one round)");
+std::vector<std::size_t> target_steps(const Plan& plan) {
+  std::vector<std::size_t> indices;
+  for (std::size_t k = 0; k < plan.steps.size(); ++k) {
+    if (plan.steps[k].manoeuvre == Manoeuvre::hover) indices.push_back(k);
   }
-  const std::optional<Route> route = shortest_route(topology, topology.start, target);
-  if (!route) throw std::invalid_argument(instruction + ": no painted way leads to " + target_name);
-
-  Plan plan{std::move(instruction), target_name, route->front().heading_rad, {}, *route, {}};
-  check_start(topology, route->front());
-  add_steps(plan, topology, topology.start);
-  plan.floor = std::make_shared<const Topology>(topology);
-  return plan;
+  return indices;
 }
 
-Plan compile_onward(std::shared_ptr<const Topology> topology, const TopologyArm& by, std::size_t target,
+PlanBuilder::PlanBuilder(const Topology& topology, std::string instruction) : topology_(topology) {
+  plan_.instruction = std::move(instruction);
+  plan_.floor = std::make_shared<const Topology>(topology);
+}
+
+std::size_t PlanBuilder::here() const {
+  return plan_.route.empty() ? topology_.start : plan_.route.back().to;
+}
+
+void PlanBuilder::visit(const Visit& visit) {
+  const bool begins = plan_.route.empty();
+  check_leads_on(topology_, here(), visit, begins);
+  const auto facing_rad = begins ? std::nullopt : std::optional(plan_.route.back().arrival_heading_rad);
+  const std::optional<Route> route = shortest_route(topology_, here(), visit.node, facing_rad);
+  const std::string& name = topology_.nodes[visit.node].name;
+  if (!route) throw std::invalid_argument(visit.target + ": no painted way leads to " + name);
+  check_first_edge(topology_.nodes[here()], route->front());
+  std::vector<PlanStep> steps = leg(topology_, here(), *route, visit);
+  if (begins) plan_.start_heading_rad = route->front().heading_rad;
+  if (!begins) plan_.steps.back().turn_rad = wrap_angle(route->front().heading_rad - *facing_rad);
+  plan_.target = name;
+  plan_.steps.insert(plan_.steps.end(), steps.begin(), steps.end());
+  plan_.route.insert(plan_.route.end(), route->begin(), route->end());
+}
+
+Plan compile(const Topology& topology, std::size_t target, std::string instruction) {
+  PlanBuilder builder(topology, instruction);
+  builder.visit({target, std::move(instruction), {}});
+  return builder.plan();
+}
+
+Plan compile_onward(std::shared_ptr<const Topology> topology, const TopologyArm& by, const Visit& visit,
                     std::string instruction) {
-  Plan plan{
-      std::move(instruction), topology->nodes.at(target).name, by.arrival_heading_rad, {}, {by}, topology};
-  if (by.to != target) {
-    const std::optional<Route> onward = shortest_route(*topology, by.to, target);
+  Plan plan;
+  plan.instruction = std::move(instruction);
+  plan.target = topology->nodes.at(visit.node).name;
+  plan.start_heading_rad = by.arrival_heading_rad;
+  plan.route = {by};
+  plan.floor = topology;
+  if (by.to != visit.node) {
+    const auto onward = shortest_route(*topology, by.to, visit.node, by.arrival_heading_rad);
     if (!onward)
       throw std::invalid_argument(plan.instruction + ": no painted way leads on to " + plan.target);
     plan.route.insert(plan.route.end(), onward->begin(), onward->end());
   }
-  add_steps(plan, *topology, by.to);
+  plan.steps = leg(*topology, by.to, plan.route, visit);
   return plan;
 }
 

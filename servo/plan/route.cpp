@@ -40,9 +40,10 @@ long length_mm(const Topology& topology, const TopologyArm& arm) {
   return std::lround(1000.0 * topology.edges[arm.edge].length_m);
 }
 
-Cost first_cost(const Topology& topology, const TopologyArm& arm) {
-  return {length_mm(topology, arm), 0,
-          static_cast<int>(std::lround(1000.0 * std::abs(wrap_angle(arm.heading_rad))))};
+Cost first_cost(const Topology& topology, const TopologyArm& arm, std::optional<double> facing_rad) {
+  const double off_rad = std::abs(wrap_angle(arm.heading_rad - facing_rad.value_or(0.0)));
+  const int turns = facing_rad && off_rad > kTurn_rad ? 1 : 0;
+  return {length_mm(topology, arm), turns, static_cast<int>(std::lround(1000.0 * off_rad))};
 }
 
 Cost onward_cost(const Topology& topology, Cost cost, const TopologyArm& from, const TopologyArm& onto) {
@@ -63,7 +64,8 @@ Route trace(const Topology& topology, const std::map<State, State>& previous, St
 
 }  // namespace
 
-std::optional<Route> shortest_route(const Topology& topology, std::size_t start, std::size_t target) {
+std::optional<Route> shortest_route(const Topology& topology, std::size_t start, std::size_t target,
+                                    std::optional<double> facing_rad) {
   using Entry = std::pair<Cost, State>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::map<State, Cost> best;
@@ -76,7 +78,7 @@ std::optional<Route> shortest_route(const Topology& topology, std::size_t start,
     return true;
   };
   for (std::size_t arm = 0; arm < topology.nodes[start].arms.size(); ++arm) {
-    reach({start, arm}, first_cost(topology, topology.nodes[start].arms[arm]));
+    reach({start, arm}, first_cost(topology, topology.nodes[start].arms[arm], facing_rad));
   }
   while (!open.empty()) {
     const auto [cost, state] = open.top();

@@ -66,7 +66,7 @@ struct MissionTick {
 /// What became of it.
 struct Logbook {
   std::vector<MissionTick> ticks;
-  std::vector<std::string> phases, nodes;  ///< details of the events
+  std::vector<std::string> phases, nodes, looks;  ///< details of the events
   Phase end = Phase::take_off;
   AbortReason reason = AbortReason::none;
   Pose pose;  ///< at the end
@@ -75,6 +75,7 @@ struct Logbook {
 inline void record_events(Executive& executive, Logbook& log) {
   for (const ExecutiveEvent& event : executive.take_events()) {
     if (event.kind == "phase") log.phases.push_back(event.detail);
+    if (event.kind == "look") log.looks.push_back(event.detail);
     if (event.kind == "node") log.nodes.push_back(event.detail);
   }
 }

@@ -3,6 +3,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <new>
 
 #include "vehicle/attitude.h"
 
@@ -25,6 +26,16 @@ Eigen::Vector3d from_bullet(const btVector3& v) {
 }
 Eigen::Quaterniond from_bullet(const btQuaternion& q) {
   return {q.w(), q.x(), q.y(), q.z()};
+}
+
+/// Bullet uses what its allocator returns without a look: where there is no memory, it must throw.
+void let_allocations_throw() {
+  static const bool once = [] {
+    btAlignedAllocSetCustom([](std::size_t bytes) { return ::operator new(bytes); },
+                            [](void* memory) { ::operator delete(memory); });
+    return true;
+  }();
+  static_cast<void>(once);
 }
 
 /// The default pools hold thousands of contacts and cost 5 ms at start; one body on one plane needs few.
@@ -187,7 +198,7 @@ void RigidBody::World::write_pose() {
 }
 
 RigidBody::RigidBody(const AirframeParameters& airframe, const BodyState& start)
-    : world_(std::make_unique<World>(airframe, start)) {}
+    : world_((let_allocations_throw(), std::make_unique<World>(airframe, start))) {}
 RigidBody::~RigidBody() = default;
 RigidBody::RigidBody(RigidBody&&) noexcept = default;
 RigidBody& RigidBody::operator=(RigidBody&&) noexcept = default;

@@ -39,6 +39,20 @@ TEST(Comparison, IsTheSameToTheLastDigitForAnyNumberOfJobs) {
   EXPECT_EQ(one["flights"].size(), 4u);
 }
 
+TEST(Comparison, FliesEachInstructionOnTheFloorOfItsZone) {
+  Block block;
+  block.controllers = {"ibvs"};
+  block.instructions = {"a13", "b01", "c03", "d00", "a03"};
+  ComparisonOptions options;
+  options.blocks = on_floors_of_zones(block);
+  options.tuning = Tuning::published;
+  std::vector<std::string> floors;
+  for (const Entry& e : entries_of(options)) floors.push_back(e.layout);
+  EXPECT_THAT(floors, ElementsAre("warehouse", "square", "octagon", "circle"));
+  EXPECT_THAT(options.blocks[0].instructions, ElementsAre("a13", "a03"));
+  EXPECT_NO_THROW(Comparison{options}) << "every target is on its floor";
+}
+
 TEST(Comparison, EveryControllerSeesTheSameFlights) {
   ShortStudy study;
   study.options.seed = 7;

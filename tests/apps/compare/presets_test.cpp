@@ -38,8 +38,14 @@ TEST(Presets, TheSweepOfDeltaHasFiveVariants) {
   EXPECT_EQ(sweep.variants[4].label, "delta=150");
 }
 
+TEST(Presets, TheRedTrackIsFlownUnderItsOwnConditions) {
+  EXPECT_EQ(find_preset("vtp").conditions, "minidrone");
+  EXPECT_EQ(find_preset("topology").conditions, "paper");
+}
+
 TEST(Presets, AnUnknownOneIsRefusedWithTheNames) {
-  EXPECT_THAT(complaint([] { find_preset("x"); }), AllOf(HasSubstr("topology"), HasSubstr("grid-flight")));
+  EXPECT_THAT(complaint([] { find_preset("x"); }),
+              AllOf(HasSubstr("topology"), HasSubstr("grid-flight, vtp")));
 }
 
 TEST(Published, StandsBesideEveryTopologyBlock) {

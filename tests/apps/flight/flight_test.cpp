@@ -158,16 +158,26 @@ TEST_P(ZoneMission, ArrivesOnTheNode) {
 }
 INSTANTIATE_TEST_SUITE_P(Zones, ZoneMission, ::testing::Values("b02", "b03", "c01", "c05", "d00"));
 
-TEST(Flight, LandsInsideTheEndDiscOfTheRedTrack) {
-  FlightRequest request;
-  apply_conditions(request, "minidrone");
-  request.instruction = "node:end";
+FlightRequest request_for_the_red_track() {
+  FlightRequest request = request_for("node:end", "minidrone");
   request.layout = "minidrone";
-  request.land = true;
-  const Flown flown = fly(request);
+  return request;
+}
+
+TEST(Flight, LandsInsideTheEndDiscOfTheRedTrack) {
+  const Flown flown = fly(request_for_the_red_track());
   ASSERT_EQ(flown.summary.outcome, "landed") << story(flown);
   const Eigen::Vector2d down_W = flown.record.truth.back().p_WB.head<2>();
   EXPECT_LT((down_W - flown.summary.target_W).norm(), 0.05);  // half the disc's radius
+}
+
+TEST(Flight, VtpFliesTheRedTrackWithoutATurn) {
+  FlightRequest request = request_for_the_red_track();
+  request.controller = "vtp";
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "landed") << story(flown);
+  EXPECT_LT(flown.summary.track.all.max_m, 0.15);
+  for (const TruthSample& s : flown.record.truth) EXPECT_LT(std::abs(s.heading_rad), features::radians(10.0));
 }
 
 TEST(Flight, PidArrives) {

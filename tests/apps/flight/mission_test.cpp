@@ -43,5 +43,26 @@ TEST(Prepare, RefusesWhatCannotBeFlown) {
   EXPECT_THAT(complaint([&] { prepare(request); }), HasSubstr("UTF-8"));
 }
 
+FlightRequest request_for_the_red_track(const std::string& controller) {
+  FlightRequest request;
+  request.instruction = "node:end";
+  request.layout = "minidrone";
+  request.controller = controller;
+  return request;
+}
+
+TEST(Prepare, AnEndMarkerIsThereToLandOn) {
+  EXPECT_TRUE(prepare(request_for_the_red_track("ibvs")).request.land);
+  EXPECT_FALSE(prepare(request_for_a13()).request.land);
+}
+
+TEST(Prepare, OnlyALawThatPursuesTheLineFliesItWithoutTurns) {
+  EXPECT_EQ(prepare(request_for_the_red_track("vtp")).plan.steps.size(), 1u);
+  EXPECT_EQ(prepare(request_for_the_red_track("pid")).plan.steps.size(), 5u);
+  FlightRequest request = request_for_a13();
+  request.controller = "vtp";
+  EXPECT_EQ(prepare(request).plan.steps.size(), 4u);
+}
+
 }  // namespace
 }  // namespace lineservo::apps

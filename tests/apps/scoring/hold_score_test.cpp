@@ -28,14 +28,14 @@ TEST_F(HoldScoreTest, IsTheDistanceInHoverAlone) {
   add(Phase::hover, 0.1);
   add(Phase::hover, -0.3);
   add(Phase::finished, 9.0);
-  EXPECT_NEAR(score_hold(record_, {0, 0}).mean_m, 0.2, 1e-12);
-  EXPECT_NEAR(score_hold(record_, {0, 0}).max_m, 0.3, 1e-12);
+  EXPECT_NEAR(score_hold(record_, 0, {0, 0}).mean_m, 0.2, 1e-12);
+  EXPECT_NEAR(score_hold(record_, 0, {0, 0}).max_m, 0.3, 1e-12);
 }
 
 TEST_F(HoldScoreTest, WithoutHoverIsNoNumber) {
   add(Phase::follow, 0.0);
-  EXPECT_TRUE(std::isnan(score_hold(record_, {0, 0}).mean_m));
-  EXPECT_TRUE(std::isnan(score_hold(record_, {0, 0}).max_m));
+  EXPECT_TRUE(std::isnan(score_hold(record_, 0, {0, 0}).mean_m));
+  EXPECT_TRUE(std::isnan(score_hold(record_, 0, {0, 0}).max_m));
 }
 
 TEST_F(HoldScoreTest, TiltRateIsOfRollAndPitchUnderWayAlone) {

@@ -53,7 +53,9 @@ class Recorder {
 class TrackScoreTest : public ::testing::Test {
  protected:
   TrackScore score() const { return score_track(flight_.record(), route_); }
-  std::optional<Rest> rest() const { return find_rest(flight_.record(), route_, {4.2, 7.4}); }
+  std::optional<Rest> rest() const {
+    return find_rest(flight_.record(), route_.closing_steps.back(), {4.2, 7.4});
+  }
   Recorder& hold(int samples, Phase phase, int step, double speed_m_s, double x_m = 4.2, double y_m = 7.41) {
     for (int k = 0; k < samples; ++k) flight_.add(phase, step, x_m, y_m, kPi / 2, speed_m_s);
     return flight_;

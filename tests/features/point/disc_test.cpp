@@ -61,10 +61,34 @@ TEST(EndDisc, IsFoundInAMaskOfAnySize) {
   for (int y = 0; y < 400; ++y)
     for (int x = 0; x < 400; ++x)
       if (stretched(x, y) <= 13.2 || (y > 120 && std::abs(x - 210) <= 16)) mask.set(x, y);
-  const auto centre = end_disc_as_published(mask, {640, 480});
+  CameraParameters vtp;  // 640 px wide, of the same view as its 160 px
+  vtp.fx_px = vtp.fy_px = 4.0 * 145.0;
+  const auto centre = end_disc_as_published(mask, CameraModel(vtp), 1.1);
   ASSERT_TRUE(centre);
   EXPECT_NEAR(centre->x, 210.0, 2.5);
   EXPECT_NEAR(centre->y, 120.0, 3.4);
+}
+
+// From lower down the line is as wide in the frame as the disc was: the erosion has to grow with it.
+TEST(EndDisc, IsToldFromItsLineFromAnyHeight) {
+  const double f_px = 145.0;
+  CameraParameters vtp;
+  vtp.width_px = 160;
+  vtp.height_px = 120;
+  vtp.fx_px = vtp.fy_px = f_px;
+  for (const double height_m : {1.1, 0.8, 0.5}) {
+    const auto metres = [&](int px, int centre_px) { return (px - centre_px) * height_m / f_px; };
+    PackedMask mask(160, 120);
+    for (int y = 0; y < 120; ++y)
+      for (int x = 0; x < 160; ++x) {
+        const double x_m = metres(x, 80), y_m = metres(y, 60);
+        if (std::hypot(x_m, y_m) <= 0.1 || (y_m > 0.0 && std::abs(x_m) <= 0.05)) mask.set(x, y);
+      }
+    const auto centre = end_disc_as_published(mask, CameraModel(vtp), height_m);
+    ASSERT_TRUE(centre) << height_m;
+    EXPECT_NEAR(centre->x, 80.0, 1.0) << height_m;
+    EXPECT_NEAR(centre->y, 60.0, 1.0) << height_m;
+  }
 }
 
 }  // namespace

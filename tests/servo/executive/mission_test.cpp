@@ -122,6 +122,50 @@ TEST(Mission, ADiscThatThePlanDoesNotKnowIsNoNode) {
   expect_arrival(fly(mission), flown.at("end"), 0.005);
 }
 
+/// A mission over several targets, each with the same stop.
+Mission tour(const TestFloor& floor, const std::vector<std::string>& targets, const Stop& stop) {
+  const Topology topology = floor.topology();
+  PlanBuilder builder(topology, "tour");
+  for (const std::string& target : targets) builder.visit({find_target(topology, target), target, stop});
+  Pose start{floor.at(floor.names().front()), builder.plan().start_heading_rad + radians(5.0), 0.0};
+  Mission mission(floor, builder.plan(), start);
+  mission.options.speed_m_s = 0.3;
+  return mission;
+}
+
+TEST(Mission, SeveralTargetsAreVisitedInOrder) {
+  const TestFloor floor = testing::warehouse_floor();
+  const Logbook log = fly(tour(floor, {"a11", "a31", "a30"}, {.hover_s = 2.0}));
+  expect_arrival(log, floor.at("a30"), 0.005);
+  EXPECT_THAT(log.phases,
+              ElementsAre("align", "follow", "corner", "follow", "dock", "hover", "turn", "follow", "dock",
+                          "hover", "turn", "follow", "dock", "hover", "finished"));
+  EXPECT_THAT(log.nodes, ElementsAre("J9: turn at a10", "J3: hover at a11", "J3: go straight at a21",
+                                     "J3: hover at a31", "J7 (line ends): hover at a30"));
+}
+
+TEST(Mission, ATargetIsLookedRoundFromAndLandedOn) {
+  const TestFloor floor = testing::warehouse_floor();
+  Mission mission =
+      tour(floor, {"a11", "a10"}, {.hover_s = 2.0, .look = true, .land = true, .ground_s = 3.0});
+  const Logbook log = fly(mission);
+  expect_arrival(log, floor.at("a10"), 0.02);
+  EXPECT_THAT(log.phases,
+              ElementsAre("align", "follow", "corner", "follow", "dock", "hover", "look", "land", "rest",
+                          "relaunch", "turn", "follow", "dock", "hover", "look", "land", "finished"));
+  EXPECT_THAT(log.looks, ElementsAre("junction with arms at -90°, 0°, 90°, 180° at a11",
+                                     "junction with arms at -90°, 90°, 180° at a10"));
+}
+
+TEST(Mission, ADeadEndIsTurnedRoundOn) {
+  TestFloor floor("line");
+  floor.add("start", {0.0, 0.0});
+  floor.add("end", {3.0, 0.0});
+  floor.join("start", "end");
+  const Logbook log = fly(tour(floor, {"node:end", "node:start"}, {.hover_s = 2.0}));
+  expect_arrival(log, floor.at("start"), 0.02);
+}
+
 TEST(Mission, EveryKindOfTargetIsReached) {
   const TestFloor grid = testing::warehouse_floor(), square = testing::square_floor();
   struct Case {

@@ -266,7 +266,7 @@ TEST(Next, WhatCannotGoOnAborts) {
       {"no velocity", Phase::turn, Phase::aborted, [](Situation& s) { s.velocity_age_s = 1.1; },
        velocity_unknown},
       {"no numbers", Phase::follow, Phase::aborted, [](Situation& s) { s.not_finite_s = 0.6; }, not_finite},
-      {"no time left", Phase::hover, Phase::aborted, [](Situation& s) { s.flight_s = 1185.1; }, out_of_time},
+      {"no time left", Phase::hover, Phase::aborted, [](Situation& s) { s.flight_s = 3585.1; }, out_of_time},
       {"down by itself", Phase::follow, Phase::aborted, [](Situation& s) { s.on_ground = true; }, grounded},
       {"a branch", Phase::follow, Phase::aborted, [](Situation& s) { s.line_off_s = 1.1; }, line_turns_off},
       {"no way made", Phase::follow, Phase::aborted, [](Situation& s) { s.stuck_s = 20.1; }, stuck},
@@ -287,6 +287,66 @@ TEST(Names, AreThereForAll) {
   for (int k = 0; k <= static_cast<int>(AbortReason::grounded); ++k) {
     EXPECT_NE(name(static_cast<AbortReason>(k)), "?");
   }
+}
+
+/// A target of a mission, above which the vehicle hovers.
+Situation above_target(const PlanStep& step, bool is_last) {
+  Situation s = all_is_well();
+  s.step = &step;
+  s.is_last = is_last;
+  s.settled_s = 1.0;
+  return s;
+}
+
+PlanStep stop_at(const Stop& stop) {
+  PlanStep step = kHover;
+  step.stop = stop;
+  return step;
+}
+
+TEST(Next, ATargetIsHoveredOverForAsLongAsItSays) {
+  const PlanStep step = stop_at({.hover_s = 3.0});
+  Situation s = above_target(step, false);
+  s.phase_s = 2.9;
+  EXPECT_EQ(next(Phase::hover, s, {}), Phase::hover);
+  s.phase_s = 3.1;
+  EXPECT_EQ(next(Phase::hover, s, {}), Phase::turn);
+  s.is_last = true;
+  EXPECT_EQ(next(Phase::hover, s, {}), Phase::finished);
+}
+
+TEST(Next, LookingGoesBeforeLandingAndLandingBeforeGoingOn) {
+  const PlanStep step = stop_at({.hover_s = 3.0, .look = true, .land = true, .ground_s = 5.0});
+  Situation s = above_target(step, false);
+  s.phase_s = 4.0;
+  EXPECT_EQ(next(Phase::hover, s, {}), Phase::look);
+  EXPECT_EQ(next(Phase::look, s, {}), Phase::land);
+  EXPECT_EQ(next(Phase::land, s, {}), Phase::land);
+  s.on_ground = true;
+  EXPECT_EQ(next(Phase::land, s, {}), Phase::rest);
+  EXPECT_EQ(next(Phase::rest, s, {}), Phase::rest);
+  s.phase_s = 5.1;
+  EXPECT_EQ(next(Phase::rest, s, {}), Phase::relaunch);
+  EXPECT_EQ(next(Phase::relaunch, s, {}), Phase::turn);
+  s.is_last = true;
+  EXPECT_EQ(next(Phase::land, s, {}), Phase::finished);
+}
+
+TEST(Next, AFlightThatWasBrokenOffStaysOnTheGround) {
+  const PlanStep step = stop_at({});
+  Situation s = above_target(step, false);
+  s.on_ground = s.gave_up = true;
+  EXPECT_EQ(next(Phase::land, s, {}), Phase::finished);
+}
+
+TEST(Next, ARelaunchThatDoesNotSucceedIsBrokenOff) {
+  const PlanStep step = stop_at({.land = true});
+  Situation s = above_target(step, false);
+  s.phase_s = 36.0;
+  EXPECT_EQ(abort_reason(Phase::relaunch, s, {}), AbortReason::node_lost);
+  s.height_m = 0.1;
+  EXPECT_EQ(abort_reason(Phase::relaunch, s, {}), AbortReason::take_off_failed);
+  EXPECT_EQ(next(Phase::relaunch, s, {}), Phase::aborted);
 }
 
 }  // namespace

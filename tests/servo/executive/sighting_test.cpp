@@ -64,5 +64,20 @@ TEST(CentroidBend, IsNoticedWhenTheCentroidLeavesTheMiddle) {
   EXPECT_EQ(bend.update(centroid_at(150.0), &step, false), Bend::none);
 }
 
+TEST(NearReading, WhereTheLineIsPursuedNothingButTheDiscCounts) {
+  PlanStep step;
+  step.pursued = true;
+  step.expected.code = features::JunctionCode::start;
+  Observation o;
+  o.capture_height_m = 1.0;
+  o.features.code.smoothed = features::JunctionCode::corner_left;
+  o.features.code.line_ends_ahead = true;
+  EXPECT_EQ(near_reading(o, &step).smoothed, features::JunctionCode::straight);
+  EXPECT_FALSE(near_reading(o, &step).line_ends_ahead);
+  o.features.code.smoothed = features::JunctionCode::start;
+  o.features.start_marker = features::LevelPoint{0.1, 0.0};
+  EXPECT_EQ(near_reading(o, &step).smoothed, features::JunctionCode::start);
+}
+
 }  // namespace
 }  // namespace lineservo::servo

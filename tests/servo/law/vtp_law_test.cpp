@@ -106,6 +106,30 @@ TEST(VtpLaw, WithoutATargetItStaysAndHoldsTheHeight) {
   }
 }
 
+/// A frame with the end marker's centre `forward`, `left` of the image centre, in pixels of vtp's camera.
+Observation marker_seen(int millisecond, double forward_px, double left_px) {
+  Observation o = unseen(millisecond);
+  o.features.start_marker = features::LevelPoint{-left_px / 145.0, -forward_px / 145.0};
+  return o;
+}
+
+TEST(VtpLaw, AboveTheEndMarkerItStepsTowardsItsCentre) {
+  VtpLaw law({});
+  const auto c = law.hover(marker_seen(0, 10.0, -5.0), kAsPublished);
+  ASSERT_TRUE(c);
+  EXPECT_NEAR(std::get<VelocityCommand>(*c).forward_m_s, 10.0 * 0.0022 / 0.2, 1e-9);
+  EXPECT_NEAR(std::get<VelocityCommand>(*c).left_m_s, -5.0 * 0.0022 / 0.2, 1e-9);
+  const auto held = law.hover(marker_seen(100, 0.0, 0.0), kAsPublished);
+  EXPECT_EQ(std::get<VelocityCommand>(*held).forward_m_s, std::get<VelocityCommand>(*c).forward_m_s)
+      << "a step lasts 0.2 s";
+  EXPECT_EQ(std::get<VelocityCommand>(*law.hover(marker_seen(200, 0.0, 0.0), kAsPublished)).forward_m_s, 0.0);
+}
+
+TEST(VtpLaw, WithoutAMarkerTheVehicleBrakesAndStays) {
+  VtpLaw law({});
+  EXPECT_FALSE(law.hover(unseen(0), kAsPublished));
+}
+
 TEST(VtpLaw, ResetForgetsTheErrorAndTheTimeOfTheLastStep) {
   VtpLaw law({});
   follow(law, seen(0, 1.0, 0.0));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "tests/servo/test_floor.h"
 
@@ -255,6 +256,60 @@ TEST(Plan, AStartUnderADiscOnARingIsOneRound) {
   ring.lay_disc("start");
   EXPECT_EQ(told(plan_to(ring, "node:start")),
             "J5 J5! turn 90 | J5 J5! turn 90 | J5 J5! turn 90 | J5 J5! turn 90 | J0 J0 hover");
+}
+
+/// A mission over targets by name; each stops as told.
+Plan plan_over(const TestFloor& floor, const std::vector<std::string>& targets, const Stop& stop = {}) {
+  const Topology topology = floor.topology();
+  PlanBuilder builder(topology, "tour");
+  for (const std::string& target : targets) builder.visit({find_target(topology, target), target, stop});
+  return builder.plan();
+}
+
+TEST(Plan, EachLegOfAMissionLeavesWhereTheLastOneEnded) {
+  const Plan plan = plan_over(testing::warehouse_floor(), {"a12", "a32", "a30"});
+  EXPECT_EQ(told(plan),
+            "J5 J9 turn 90 | J7 J3 go straight | J7 J3 hover | J7 J3 go straight | J7 J3 hover | "
+            "J7 J3 go straight | J7 J7! hover");
+  EXPECT_NEAR(plan.steps[2].turn_rad, -kPi / 2, 1e-12) << "onto row 2";
+  EXPECT_NEAR(plan.steps[4].turn_rad, -kPi / 2, 1e-12) << "down column 3";
+  EXPECT_EQ(plan.steps[2].target, "a12");
+  EXPECT_EQ(plan.steps[3].target, "");
+  EXPECT_EQ(plan.target, "a30");
+  EXPECT_EQ(plan.instruction, "tour");
+  EXPECT_EQ(plan.route.size(), 7u);
+}
+
+TEST(Plan, AMissionTurnsRoundWhereItMust) {
+  const Plan plan = plan_over(testing::warehouse_floor(), {"a12", "a11"});
+  EXPECT_NEAR(std::abs(plan.steps[2].turn_rad), kPi, 1e-12);
+  EXPECT_EQ(plan.steps[3].node, "a11");
+}
+
+TEST(Plan, AMissionReturnsToTheDiscThatItStartedFrom) {
+  TestFloor floor = testing::warehouse_floor();
+  floor.lay_disc("a00");
+  const Plan plan = plan_over(floor, {"a10", "a00"});
+  EXPECT_EQ(told(plan), "J5 J9 hover | J0 J0 hover");
+}
+
+TEST(Plan, AMissionRefusesATargetWhereItStands) {
+  try {
+    plan_over(testing::warehouse_floor(), {"a12", "a12"});
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("a12"), HasSubstr("where the target before is")));
+  }
+}
+
+TEST(Plan, ARefusedTargetLeavesThePlanAsItWas) {
+  const Topology topology = testing::warehouse_floor().topology();
+  PlanBuilder builder(topology, "tour");
+  builder.visit({find_target(topology, "a12"), "a12", {}});
+  const std::size_t steps = builder.plan().steps.size();
+  EXPECT_THROW(builder.visit({find_target(topology, "a12"), "a12", {}}), std::invalid_argument);
+  EXPECT_EQ(builder.plan().steps.size(), steps);
+  EXPECT_EQ(builder.plan().steps.back().turn_rad, 0.0);
 }
 
 TEST(Plan, ATargetWithoutAWayIsRefused) {
