@@ -71,7 +71,11 @@ TEST(Whereabouts, AWrongTurnShowsByTheCodesThatFollow) {
   whereabouts.leave(kLeft_rad);
   whereabouts.tell(kTeeLeft, {3.5, 3.7});
   EXPECT_EQ(node_of(whereabouts), "a20");
-  EXPECT_GT(whereabouts.best()->probability, 0.8);
+  const double at_first = whereabouts.best()->probability;
+  whereabouts.leave(0.0);
+  whereabouts.tell(kTeeLeft, {3.5, 3.7});
+  EXPECT_EQ(node_of(whereabouts), "a30");
+  EXPECT_GT(whereabouts.best()->probability, at_first);
 }
 
 }  // namespace
