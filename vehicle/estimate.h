@@ -18,6 +18,8 @@ struct Estimate {
   /// accelerometer.
   Eigen::Vector2d a_H_m_s2 = Eigen::Vector2d::Zero();
   double height_m = 0.0;  ///< of the body origin above the floor
+  /// Since when nothing stands behind the height and the velocity but the accelerometer.
+  Time range_heard{0}, flow_heard{0};
 };
 
 }  // namespace lineservo::vehicle

@@ -42,10 +42,11 @@ class Quadrotor::Impl {
  public:
   Impl(const AirframeParameters& airframe, const AutopilotOptions& options,
        const SensorParameters& parameters, std::unique_ptr<Wind> wind_or_none, std::uint64_t seed,
-       const StartPlace& start)
+       const StartPlace& start, const SensorFaultOptions& fault_options)
       : dynamics(airframe.loaded(), standing_at(start, airframe)),
         wind(or_still_air(std::move(wind_or_none))),
         sensors(parameters, seed, dynamics.state()),
+        faults(fault_options, seed),
         estimator(parameters, sensors.sample(Time(0), dynamics.state())),
         autopilot(airframe, options) {
     history.add(estimator.estimate());
@@ -60,7 +61,7 @@ class Quadrotor::Impl {
   }
 
   void sense() {
-    estimator.update(sensors.sample(now, dynamics.state()));
+    estimator.update(faults.spoilt(sensors.sample(now, dynamics.state())));
     history.add(estimator.estimate());
   }
 
@@ -72,6 +73,7 @@ class Quadrotor::Impl {
   FlightDynamics dynamics;
   std::unique_ptr<Wind> wind;
   Sensors sensors;
+  SensorFaults faults;
   Estimator estimator;
   EstimateHistory history;
   Autopilot autopilot;
@@ -82,8 +84,8 @@ class Quadrotor::Impl {
 
 Quadrotor::Quadrotor(const AirframeParameters& airframe, const AutopilotOptions& options,
                      const SensorParameters& sensors, std::unique_ptr<Wind> wind, std::uint64_t seed,
-                     const StartPlace& start)
-    : impl_(std::make_unique<Impl>(airframe, options, sensors, std::move(wind), seed, start)) {}
+                     const StartPlace& start, const SensorFaultOptions& faults)
+    : impl_(std::make_unique<Impl>(airframe, options, sensors, std::move(wind), seed, start, faults)) {}
 Quadrotor::~Quadrotor() = default;
 Quadrotor::Quadrotor(Quadrotor&&) noexcept = default;
 Quadrotor& Quadrotor::operator=(Quadrotor&&) noexcept = default;

@@ -9,6 +9,7 @@
 #include "vehicle/body/wind.h"
 #include "vehicle/body_state.h"
 #include "vehicle/estimate.h"
+#include "vehicle/sensors/sensor_faults.h"
 #include "vehicle/sensors/sensor_parameters.h"
 #include "vehicle/setpoint.h"
 #include "vehicle/time.h"
@@ -29,7 +30,7 @@ class Quadrotor {
   /// Throws std::invalid_argument for bad parameters. Without a wind the air is still.
   Quadrotor(const AirframeParameters& airframe, const AutopilotOptions& options,
             const SensorParameters& sensors, std::unique_ptr<Wind> wind, std::uint64_t seed,
-            const StartPlace& start);
+            const StartPlace& start, const SensorFaultOptions& faults = {});
   ~Quadrotor();
   Quadrotor(Quadrotor&&) noexcept;
   Quadrotor& operator=(Quadrotor&&) noexcept;

@@ -130,7 +130,8 @@ void add_flight_options(CLI::App& command, Arguments& a) {
   for (CLI::Option* other : {instructions, layouts, speeds, own}) preset->excludes(other);
   add_list_option(command, "--controllers", a.block.controllers, "default: all that ship, or the preset's");
   command.add_option("--conditions", a.conditions,
-                     "conditions that ship, or a YAML file (default paper, or the preset's)");
+                     "conditions that ship, a YAML file, or two with .. between, from which each flight "
+                     "draws its own (default paper, or the preset's)");
 }
 
 void add_run_options(CLI::App& command, Arguments& a) {

@@ -43,12 +43,12 @@ FlightRequest request_of(const FlyArguments& a) {
         "fly: --config holds every setting, so --conditions cannot go with it; use --set KEY=VALUE");
   refuse_two_speeds(a);
   FlightRequest request = a.config ? read_config(*a.config) : FlightRequest{};
+  if (a.seed) request.seed = read_seed(*a.seed, fmt::format("--seed {}", *a.seed));  // it may draw conditions
   if (!a.config) apply_conditions(request, a.conditions.value_or(request.conditions));
   if (!a.target.empty()) request.instruction = a.target;
   if (a.controller) request.controller = *a.controller;
   if (!a.config) request.layout = layout_of_zone(request.instruction);
   if (a.layout) request.layout = *a.layout;
-  if (a.seed) request.seed = read_seed(*a.seed, fmt::format("--seed {}", *a.seed));
   if (a.tuned) apply_shipped_tuned(request, "--tuned");
   if (a.land) request.land = true;
   if (a.speed) SettingsTable(request.settings).set("speed_m_s", *a.speed, "--speed");
@@ -101,7 +101,9 @@ void add_fly_command(CLI::App& app, int& exit_code) {
       "--layout", a.layout,
       "a floor that ships, or a YAML file (default that of the zone: warehouse, square, octagon, circle; or "
       "of the mission)");
-  command->add_option("--conditions", a.conditions, "conditions that ship, or a YAML file (default paper)");
+  command->add_option(
+      "--conditions", a.conditions,
+      "conditions that ship, a YAML file, or two with .. between: drawn from the seed (default paper)");
   command->add_option("--speed", a.speed, "speed along the line in m/s (default: that of the conditions)");
   command->add_option("--seed", a.seed, "seed of everything random (default 1)");
   command

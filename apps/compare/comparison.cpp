@@ -8,6 +8,7 @@
 #include <set>
 
 #include "apps/compare/fly_again.h"
+#include "apps/config/conditions_range.h"
 #include "apps/config/input_error.h"
 #include "apps/config/settings_table.h"
 #include "apps/config/tuned_settings.h"
@@ -22,7 +23,8 @@ std::optional<double> own_speed_of(const std::string& controller) {
 }
 
 /// conditions ← speed ← tuned parameters ← the block's, the variant's and the user's settings
-void complete(Entry& entry, const ComparisonOptions& options, std::optional<double> speed_m_s) {
+void complete(Entry& entry, const ComparisonOptions& options) {
+  const std::optional<double> speed_m_s = entry.asked_speed_m_s;
   FlightRequest& request = entry.request;
   apply_conditions(request, options.conditions);
   request.controller = entry.controller;
@@ -31,6 +33,13 @@ void complete(Entry& entry, const ComparisonOptions& options, std::optional<doub
   if (entry.tuned) apply_shipped_tuned(request, "--tuning tuned");
   for (const std::string& assignment : entry.overrides) apply_override(request, assignment);
   entry.speed_m_s = request.settings.speed_m_s;
+}
+
+/// Conditions between two others, and nothing that sets the speed.
+bool draws_speed(const Entry& entry, const ComparisonOptions& options) {
+  const bool is_set = std::any_of(entry.overrides.begin(), entry.overrides.end(),
+                                  [](const std::string& set) { return set.starts_with("speed_m_s="); });
+  return conditions_range(options.conditions) && !entry.asked_speed_m_s && !is_set;
 }
 
 std::vector<bool> tunings(const std::string& controller, Tuning wanted) {
@@ -56,7 +65,9 @@ void add_group(std::vector<Entry>& entries, const Entry& common, const Block& bl
         entry.tuned = tuned;
         entry.variant = variant;
         entry.overrides = joined(joined(block.overrides, variant.overrides), options.overrides);
-        complete(entry, options, block.own_speed ? own_speed_of(controller) : speed_m_s);
+        entry.asked_speed_m_s = block.own_speed ? own_speed_of(controller) : speed_m_s;
+        complete(entry, options);
+        if (draws_speed(entry, options)) entry.speed_m_s = std::numeric_limits<double>::quiet_NaN();
         entries.push_back(std::move(entry));
       }
     }
@@ -160,9 +171,20 @@ void Comparison::add_flights(Contestant& contestant, const std::string& instruct
   missions_.push_back(prepare(request));
   for (int run = 0; run < options.runs; ++run) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(run);
+    if (conditions_range(options.conditions)) draw_mission(contestant.entry, seed, options);
     tasks_.push_back({&missions_.back(), seed});
     contestant.flights.push_back({instruction, seed, fly_again(contestant.entry, instruction, seed), {}});
   }
+}
+
+// The mission before with conditions of its own.
+void Comparison::draw_mission(const Entry& common, std::uint64_t seed, const ComparisonOptions& options) {
+  Entry entry = common;
+  entry.request.seed = seed;
+  complete(entry, options);
+  Mission mission = missions_.back();
+  mission.request.settings = entry.request.settings;
+  missions_.push_back(std::move(mission));
 }
 
 std::optional<std::vector<Contestant>> Comparison::fly(int jobs,

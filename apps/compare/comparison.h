@@ -54,7 +54,8 @@ struct Entry {
   Variant variant;
   std::string layout;
   std::vector<std::string> instructions;
-  double speed_m_s = 0.0;
+  std::optional<double> asked_speed_m_s = {};  ///< none: that of the conditions
+  double speed_m_s = 0.0;                      ///< NaN when each flight draws its own
   bool own_speed = false;
   std::vector<std::string> overrides;  ///< on top of conditions, speed and tuned parameters
   FlightRequest request;               ///< of its flights, but for instruction and seed
@@ -93,9 +94,10 @@ class Comparison {
 
  private:
   void add_flights(Contestant& contestant, const std::string& instruction, const ComparisonOptions& options);
+  void draw_mission(const Entry& common, std::uint64_t seed, const ComparisonOptions& options);
 
   std::vector<Contestant> contestants_;
-  std::deque<Mission> missions_;   ///< of every contestant and instruction, without the seed
+  std::deque<Mission> missions_;   ///< of every contestant and instruction, or flight; without the seed
   std::vector<FlightTask> tasks_;  ///< in the order of the contestants' flights
 };
 

@@ -60,8 +60,9 @@ std::string row(const PublishedRow& r) {
 
 std::string heading(const ComparisonResult& result, const Entry& e) {
   const ComparisonOptions& o = result.options;
-  const std::string speed =
-      e.own_speed ? "each at the speed of its own paper" : fmt::format("{} m/s", e.speed_m_s);
+  const std::string speed = e.own_speed               ? "each at the speed of its own paper"
+                            : std::isnan(e.speed_m_s) ? "speeds drawn"
+                                                      : fmt::format("{} m/s", e.speed_m_s);
   return fmt::format(
       "\n{}, {}, {}: {}, seeds {} to {}\n"
       "{:<30}{:>15}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10}{:>8}{:>8}{:>8}{:>7}{:>8}{:>7}{:>9}\n"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace lineservo::apps {
 namespace {
 
@@ -19,9 +21,10 @@ std::string for_shell(const std::string& word) {
 
 std::string fly_again(const Entry& entry, const std::string& instruction, std::uint64_t seed) {
   std::string command =
-      fmt::format("lineservo fly {} --controller {} --layout {} --conditions {} --speed {} --seed {}",
-                  for_shell(instruction), for_shell(entry.controller), for_shell(entry.layout),
-                  for_shell(entry.request.conditions), entry.speed_m_s, seed);
+      fmt::format("lineservo fly {} --controller {} --layout {} --conditions {}", for_shell(instruction),
+                  for_shell(entry.controller), for_shell(entry.layout), for_shell(entry.request.conditions));
+  if (!std::isnan(entry.speed_m_s)) command += fmt::format(" --speed {}", entry.speed_m_s);
+  command += fmt::format(" --seed {}", seed);
   if (entry.tuned) command += " --tuned";
   for (const std::string& assignment : entry.overrides) command += " --set " + for_shell(assignment);
   return command;

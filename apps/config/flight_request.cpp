@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
 #include "apps/config/mission_file.h"
@@ -140,6 +141,11 @@ std::uint64_t read_seed(const std::string& text, const std::string& where) {
 }
 
 void apply_conditions(FlightRequest& request, const std::string& name_or_path) {
+  if (const auto range = conditions_range(name_or_path)) {
+    draw_conditions(request, *range);
+    request.conditions = name_or_path;
+    return;
+  }
   const YamlReader yaml(find_data(DataKind::conditions, name_or_path));
   SettingsTable table(request.settings);
   for (const YamlEntry& entry : yaml.scalars()) {
@@ -170,7 +176,8 @@ FlightRequest read_config(const std::filesystem::path& file) {
   if (is_mission_file(request.instruction))
     request.instruction = beside(file, DataKind::mission, request.instruction);
   request.layout = beside(file, DataKind::layout, request.layout);
-  request.conditions = beside(file, DataKind::conditions, request.conditions);
+  if (!conditions_range(request.conditions))
+    request.conditions = beside(file, DataKind::conditions, request.conditions);
   return request;
 }
 

@@ -22,7 +22,8 @@ struct FlightRequest {
 /// A seed as text: a whole number from 0. Throws InputError behind `where`.
 std::uint64_t read_seed(const std::string& text, const std::string& where);
 
-/// Puts the settings of conditions (a name that ships, or a file) over those of the request.
+/// Puts the settings of conditions (a name that ships, or a file) over those of the request. Of a pair
+/// ("paper..harsh") the request's seed draws conditions between the two: set it first.
 void apply_conditions(FlightRequest& request, const std::string& name_or_path);
 
 /// Puts one KEY=VALUE over those of the request. Throws InputError.

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "apps/flight/software_faults.h"
 #include "features/mask/difference_segmenter.h"
 #include "features/mask/segmenter_options.h"
 #include "servo/executive/executive.h"
@@ -11,7 +12,9 @@
 #include "vehicle/body/airframe.h"
 #include "vehicle/body/weather.h"
 #include "vehicle/floor/floor_look.h"
+#include "vehicle/floor/frame_faults.h"
 #include "vehicle/floor/shutter_options.h"
+#include "vehicle/sensors/sensor_faults.h"
 
 namespace lineservo::apps {
 
@@ -74,6 +77,16 @@ struct WeakMotorSettings {
   double thrust_factor = 1.0;
 };
 
+/// What goes wrong in the flight; nothing unless it is given a duration, a radius or a length.
+struct FaultSettings {
+  vehicle::FrameFaultOptions frames;
+  vehicle::SensorFaultOptions sensors;
+  SoftwareFaultOptions software;
+  std::string misread_code = "J3";
+  double cover_x_m = 0.0, cover_y_m = 0.0, cover_radius_m = 0.0;
+  double branch_x_m = 0.0, branch_y_m = 0.0, branch_heading_deg = 0.0, branch_length_m = 0.0;
+};
+
 /// How far off the start node the vehicle is placed, drawn from the seed within these bounds.
 struct StartSettings {
   double position_spread_m = 0.10;
@@ -92,6 +105,7 @@ struct Settings {
   WindSettings wind;
   StartSettings start;
   WeakMotorSettings weak_motor;
+  FaultSettings faults;
   vehicle::AirframeParameters airframe;
   vehicle::AutopilotOptions autopilot;
   servo::LawOptions laws;

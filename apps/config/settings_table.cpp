@@ -57,6 +57,7 @@ SettingsTable::SettingsTable(Settings& settings) {
   bind_autopilot(settings.autopilot);
   bind_laws(settings.laws);
   bind_executive(settings.executive);
+  bind_faults(settings.faults);
 }
 
 void SettingsTable::bind_general(Settings& s) {
@@ -209,8 +210,43 @@ void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
   number("executive.length_tolerance", e.phases.length_tolerance, 0.0, 1.0);
   number("executive.length_slack_m", e.phases.length_slack_m, 0.0, 5.0);
   number("executive.odometry_drift_m_s", e.phases.odometry_drift_m_s, 0.0, 1.0);
+  whole("executive.doubt_frames", e.doubt_frames, 0, 30);
+  number("executive.endurance_s", e.phases.endurance_s, 20.0, 36000.0);
+  number("executive.sensor_memory_s", e.phases.sensor_memory_s, 0.2, 10.0);
   number("executive.dock_distance_m", e.phases.dock_distance_m, 0.001, 0.3);
   number("executive.dock_speed_m_s", e.phases.dock_speed_m_s, 0.001, 1.0);
+}
+
+void SettingsTable::bind_faults(FaultSettings& f) {
+  window("faults.camera_black", f.frames.black);
+  window("faults.camera_frozen", f.frames.frozen);
+  window("faults.camera_silent", f.frames.silent);
+  window("faults.frames_late", f.frames.late);
+  window("faults.frames_twice", f.frames.twice);
+  window("faults.range_silent", f.sensors.range_silent);
+  window("faults.range_frozen", f.sensors.range_frozen);
+  window("faults.range_wild", f.sensors.range_wild);
+  window("faults.velocity_silent", f.sensors.velocity_silent);
+  window("faults.attitude_silent", f.sensors.attitude_silent);
+  window("faults.gyro_wild", f.sensors.gyro_wild);
+  window("faults.sensors_nan", f.sensors.not_a_number);
+  window("faults.features_nan", f.software.features_nan);
+  window("faults.estimate_nan", f.software.estimate_nan);
+  window("faults.law_nan", f.software.law_nan);
+  window("faults.misread", f.software.misread);
+  word("faults.misread.code", f.misread_code, {"J2", "J3", "J4", "J5", "J6", "J7", "J8", "J9"});
+  number("faults.cover.x_m", f.cover_x_m, -1e4, 1e4);
+  number("faults.cover.y_m", f.cover_y_m, -1e4, 1e4);
+  number("faults.cover.radius_m", f.cover_radius_m, 0.0, 100.0);
+  number("faults.branch.x_m", f.branch_x_m, -1e4, 1e4);
+  number("faults.branch.y_m", f.branch_y_m, -1e4, 1e4);
+  number("faults.branch.heading_deg", f.branch_heading_deg, -360.0, 360.0);
+  number("faults.branch.length_m", f.branch_length_m, 0.0, 100.0);
+}
+
+void SettingsTable::window(const std::string& key, vehicle::FaultWindow& value) {
+  number(key + ".start_s", value.start_s, 0.0, 36000.0);
+  number(key + ".duration_s", value.duration_s, 0.0, 36000.0);
 }
 
 void SettingsTable::set(const std::string& key, const std::string& text, const std::string& where) {

@@ -52,8 +52,10 @@ class SettingsTable {
   void bind_carrot(servo::CarrotOptions& o);
   void bind_improved_carrot(servo::ImprovedCarrotOptions& o);
   void bind_vtp(servo::VtpOptions& o);
+  void bind_faults(FaultSettings& f);
   void bind_executive(servo::ExecutiveOptions& e);
 
+  void window(const std::string& key, vehicle::FaultWindow& value);
   void number(std::string key, double& value, double low, double high);
   void whole(std::string key, int& value, std::vector<int> choices);
   void whole(std::string key, int& value, int low, int high);

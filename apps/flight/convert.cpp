@@ -31,6 +31,16 @@ Eigen::Vector2d mount_tilt_rad(double angle_deg, std::uint64_t seed) {
   return radians(angle_deg) * Eigen::Vector2d(std::cos(side_rad), std::sin(side_rad));
 }
 
+vehicle::RepaintOptions repaint_options(const FaultSettings& f) {
+  vehicle::RepaintOptions repaint;
+  repaint.cover_W = {f.cover_x_m, f.cover_y_m};
+  repaint.cover_radius_m = f.cover_radius_m;
+  repaint.branch_W = {f.branch_x_m, f.branch_y_m};
+  repaint.branch_heading_rad = radians(f.branch_heading_deg);
+  repaint.branch_length_m = f.branch_length_m;
+  return repaint;
+}
+
 /// The recogniser that a controller flies with: the setting, or the controller's own.
 std::string_view junction_method(const FeatureSettings& settings, const servo::Controller& controller) {
   return settings.junction_method == "auto" ? controller.junction_method
@@ -50,16 +60,26 @@ features::CameraParameters camera_parameters(const CameraSettings& settings) {
   return camera;
 }
 
-vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, const FloorSettings& floor,
-                                               std::uint64_t seed) {
+vehicle::SyntheticCameraOptions camera_options(const Settings& all, std::uint64_t seed) {
+  const CameraSettings& settings = all.camera;
   vehicle::SyntheticCameraOptions options;
   options.camera = camera_parameters(settings);
-  options.look = floor;
+  options.look = all.floor;
+  options.look.repaint = repaint_options(all.faults);
   options.shutter = settings.shutter;
   options.frame_rate_hz = settings.frame_rate_hz;
   options.link = {settings.latency_s, settings.latency_jitter_s, settings.drop_share};
   options.noise_sigma = settings.noise_levels / 255.0;
   options.mount_tilt_rad = mount_tilt_rad(settings.mount_tilt_deg, seed);
+  return options;
+}
+
+SoftwareFaultOptions software_faults(const FaultSettings& settings) {
+  SoftwareFaultOptions options = settings.software;
+  for (int code = 0; code < features::kJunctionCodes; ++code) {
+    const auto candidate = static_cast<features::JunctionCode>(code);
+    if (features::name(candidate) == settings.misread_code) options.misread_code = candidate;
+  }
   return options;
 }
 

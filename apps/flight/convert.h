@@ -14,8 +14,8 @@ namespace lineservo::apps {
 
 features::CameraParameters camera_parameters(const CameraSettings& settings);
 /// The seed says to which side the camera is mounted off.
-vehicle::SyntheticCameraOptions camera_options(const CameraSettings& settings, const FloorSettings& floor,
-                                               std::uint64_t seed);
+vehicle::SyntheticCameraOptions camera_options(const Settings& settings, std::uint64_t seed);
+SoftwareFaultOptions software_faults(const FaultSettings& settings);
 vehicle::SensorParameters sensor_parameters(const SensorSettings& settings);
 vehicle::WeatherParameters weather_parameters(const WindSettings& settings, std::uint64_t seed);
 vehicle::AirframeParameters airframe_parameters(const Settings& settings);

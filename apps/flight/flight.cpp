@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "apps/flight/convert.h"
 #include "features/geometry/angles.h"
@@ -92,6 +93,35 @@ vehicle::StartPlace start_facing(const FlightRequest& request, const vehicle::La
   return draw_start(request, floor, plan.start_heading_rad);
 }
 
+/// Later than by its latency, however it varies, and the reading out, no frame should come.
+Time oldest_frame(const CameraSettings& camera) {
+  constexpr double kAllowance_s = 0.05;
+  const double latest_s = camera.latency_s + camera.latency_jitter_s;
+  const double read_out_s = camera.shutter.exposure_s + camera.shutter.readout_s;
+  return vehicle::from_seconds(std::max(latest_s, read_out_s) + kAllowance_s);
+}
+
+/// What is lost on the way now and then is no reason to go on without.
+Time patience(const CameraSettings& camera) {
+  return vehicle::from_seconds(std::max(0.25, 2.5 / camera.frame_rate_hz));
+}
+
+std::string_view name(vehicle::AutopilotMode mode) {
+  switch (mode) {
+    case vehicle::AutopilotMode::idle:
+      return "idle";
+    case vehicle::AutopilotMode::tracking:
+      return "follows commands again";
+    case vehicle::AutopilotMode::braking:
+      return "brakes: commands ran out, or no paint was in sight on too long a way";
+    case vehicle::AutopilotMode::landing:
+      return "lands";
+    case vehicle::AutopilotMode::landed:
+      return "has landed";
+  }
+  return "?";
+}
+
 const servo::Controller& controller_of(const FlightRequest& request) {
   return servo::find_controller(request.controller);
 }
@@ -102,15 +132,18 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
     : request_(request),
       quadrotor_(airframe_parameters(request.settings), request.settings.autopilot,
                  sensor_parameters(request.settings.sensors), make_wind(request), request.seed,
-                 start_facing(request, floor, plan)),
-      camera_(floor, camera_options(request.settings.camera, request.settings.floor, request.seed),
-              request.seed),
+                 start_facing(request, floor, plan), request.settings.faults.sensors),
+      camera_(floor, camera_options(request.settings, request.seed), request.seed),
+      frame_faults_(request.settings.faults.frames),
+      gate_(oldest_frame(request.settings.camera), patience(request.settings.camera)),
       perception_(features::CameraModel(camera_parameters(request.settings.camera)),
                   perception_options(request.settings.features, controller_of(request))),
-      executive_(plan, controller_of(request).make(request.settings.laws), controller_of(request).traits,
-                 executive_options(request.settings, request.land)),
+      executive_(plan,
+                 spoilt(controller_of(request).make(request.settings.laws), request.settings.faults.software),
+                 controller_of(request).traits, executive_options(request.settings, request.land)),
       latency_known_(draw_known_latency(request)),
-      time_limit_s_(request.settings.time_limit_s * static_cast<double>(target_steps(plan).size())) {}
+      time_limit_s_(request.settings.time_limit_s * static_cast<double>(target_steps(plan).size())),
+      software_faults_(software_faults(request.settings.faults)) {}
 
 FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {
   const Clock::time_point begin = Clock::now();
@@ -118,7 +151,7 @@ FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progr
   while (!is_over()) {
     advance();
     expose();
-    while (const auto frame = camera_.deliver(quadrotor_.now())) control(*frame);
+    control();
     if (progress && quadrotor_.now() >= next_report) {
       next_report += std::chrono::seconds(1);
       record_.interrupted =
@@ -159,29 +192,62 @@ void Flight::expose() {
   }
 }
 
+// Frames that are fit to be looked at; without any for too long, the flight goes on blind.
+void Flight::control() {
+  const Time now = quadrotor_.now();
+  while (auto frame = camera_.deliver(now)) frame_faults_.take(std::move(*frame), now);
+  while (const auto frame = frame_faults_.deliver(now)) {
+    if (gate_.accepts(*frame, now, in_flight())) tick(&*frame);
+  }
+  if (gate_.is_blind(now)) tick(nullptr);
+  if (auto news = gate_.take_news()) report("camera", std::move(*news));
+  watch_autopilot();
+}
+
+// Off the ground nothing stands still.
+bool Flight::in_flight() const {
+  constexpr double kOffGround_m = 0.1;
+  return quadrotor_.estimate().height_m > request_.settings.airframe.gear_height_m + kOffGround_m;
+}
+
 // observe → decide and compute → send → log
-void Flight::control(const vehicle::Frame& frame) {
-  const servo::Observation observation = observe(frame);
+void Flight::tick(const vehicle::Frame* frame) {
+  servo::Observation observation = observe(frame);
+  spoil(observation, software_faults_, observation.now);
   servo::Command command;
   {
     const Stopwatch watch(record_.timing.control);
-    command = executive_.tick(observation, quadrotor_.mode() == vehicle::AutopilotMode::landed);
+    command = executive_.tick(observation, !vehicle::motors_run(quadrotor_.mode()));
   }
   send(command);
   log(observation, frame, command);
 }
 
-servo::Observation Flight::observe(const vehicle::Frame& frame) {
+void Flight::watch_autopilot() {
+  const vehicle::AutopilotMode before = std::exchange(mode_, quadrotor_.mode());
+  const bool is_news = mode_ != before && before != vehicle::AutopilotMode::idle;
+  if (is_news) report("autopilot", std::string(name(mode_)));
+}
+
+void Flight::report(std::string kind, std::string detail) {
+  record_.events.push_back({quadrotor_.now(), std::move(kind), std::move(detail)});
+}
+
+servo::Observation Flight::observe(const vehicle::Frame* frame) {
   servo::Observation observation;
   observation.now = quadrotor_.now();
   observation.captured = std::max(Time{0}, quadrotor_.now() - latency_known_);
   const vehicle::Estimate at_capture = quadrotor_.estimate_at(observation.captured);
-  observation.features = extract(frame, at_capture);
+  observation.has_frame = frame != nullptr;
+  if (frame) observation.features = extract(*frame, at_capture);
   observation.odometry_now = odometry_.at(observation.now);
   observation.odometry_at_capture = odometry_.at(observation.captured);
-  observation.height_m = std::max(kLowestHeight_m, quadrotor_.estimate().height_m);
+  const vehicle::Estimate& estimate = quadrotor_.estimate();
+  observation.height_m = std::max(kLowestHeight_m, estimate.height_m);
   observation.capture_height_m = std::max(kLowestHeight_m, at_capture.height_m);
-  observation.v_H_m_s = quadrotor_.estimate().v_H_m_s;
+  observation.v_H_m_s = estimate.v_H_m_s;
+  observation.height_age_s = vehicle::seconds(observation.now - estimate.range_heard);
+  observation.velocity_age_s = vehicle::seconds(observation.now - estimate.flow_heard);
   return observation;
 }
 
@@ -191,23 +257,26 @@ features::FrameFeatures Flight::extract(const vehicle::Frame& frame, const vehic
   if (request_.settings.features.tilt_correction)
     context.view = features::LevelView(at_capture.roll_rad, at_capture.pitch_rad);
   context.height_m = std::max(kLowestHeight_m, at_capture.height_m);
-  context.since_last_s =
-      record_.ticks.empty() ? 0.0 : vehicle::seconds(frame.stamp - record_.ticks.back().captured);
+  context.since_last_s = record_.ticks.empty() ? 0.0 : vehicle::seconds(frame.stamp - last_looked_at_);
+  last_looked_at_ = frame.stamp;
   context.on_the_way = executive_.phase() == Phase::follow;
-  return perception_.observe(frame.bgr, context);
+  features::FrameFeatures features = perception_.observe(frame.bgr, context);
+  spoil(features, software_faults_, frame.stamp);
+  return features;
 }
 
 void Flight::send(const servo::Command& command) {
   quadrotor_.command(to_setpoint(command), quadrotor_.now(), kCommandHolds);
 }
 
-void Flight::log(const servo::Observation& observation, const vehicle::Frame& frame,
+void Flight::log(const servo::Observation& observation, const vehicle::Frame* frame,
                  const servo::Command& command) {
   if (!observation.features.lines.empty()) quadrotor_.paint_sighted(observation.captured);
   TickRecord tick;
   tick.t = observation.now;
-  tick.captured = frame.stamp;
-  while (exposures_.size() > 1 && exposures_.front().t < frame.stamp) exposures_.pop_front();
+  tick.has_frame = frame != nullptr;
+  tick.captured = frame ? frame->stamp : observation.captured;
+  while (exposures_.size() > 1 && exposures_.front().t < tick.captured) exposures_.pop_front();
   tick.at_capture = exposures_.front();
   tick.now = sample(quadrotor_, executive_);
   tick.code = observation.features.code;
@@ -221,12 +290,12 @@ void Flight::log(const servo::Observation& observation, const vehicle::Frame& fr
   tick.command = command;
   record_.ticks.push_back(tick);
   for (servo::ExecutiveEvent& event : executive_.take_events()) {
-    record_.events.push_back({observation.now, std::move(event.kind), std::move(event.detail)});
+    report(std::move(event.kind), std::move(event.detail));
   }
 }
 
 bool Flight::is_over() const {
-  const bool on_ground = quadrotor_.mode() == vehicle::AutopilotMode::landed;
+  const bool on_ground = !vehicle::motors_run(quadrotor_.mode());
   const bool gave_up = executive_.phase() == Phase::land && on_ground && executive_.ends_on_ground();
   return executive_.phase() == Phase::finished || gave_up || quadrotor_.crashed() || record_.interrupted ||
          is_out_of_time();

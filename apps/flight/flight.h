@@ -5,9 +5,11 @@
 
 #include "apps/config/flight_request.h"
 #include "apps/flight/flight_record.h"
+#include "apps/flight/frame_gate.h"
 #include "features/perception.h"
 #include "servo/executive/executive.h"
 #include "servo/law/odometry.h"
+#include "vehicle/floor/frame_faults.h"
 #include "vehicle/floor/layout.h"
 #include "vehicle/floor/synthetic_camera.h"
 #include "vehicle/quadrotor.h"
@@ -38,11 +40,15 @@ class Flight {
   void advance();
   void sample_truth();
   void expose();
-  void control(const vehicle::Frame& frame);
-  servo::Observation observe(const vehicle::Frame& frame);
+  void control();
+  void tick(const vehicle::Frame* frame);
+  servo::Observation observe(const vehicle::Frame* frame);
   features::FrameFeatures extract(const vehicle::Frame& frame, const vehicle::Estimate& at_capture);
   void send(const servo::Command& command);
-  void log(const servo::Observation& observation, const vehicle::Frame& frame, const servo::Command& command);
+  void log(const servo::Observation& observation, const vehicle::Frame* frame, const servo::Command& command);
+  void watch_autopilot();
+  void report(std::string kind, std::string detail);
+  bool in_flight() const;
   bool is_over() const;
   bool is_out_of_time() const;
   void finish();
@@ -50,12 +56,17 @@ class Flight {
   FlightRequest request_;
   vehicle::Quadrotor quadrotor_;
   vehicle::SyntheticCamera camera_;
+  vehicle::FrameFaults frame_faults_;
+  FrameGate gate_;
   features::Perception perception_;
   servo::Executive executive_;
   servo::Odometry odometry_;
   std::deque<TruthSample> exposures_;  ///< of the frames under way
   vehicle::Time latency_known_;        ///< what the law takes the camera's latency for
   double time_limit_s_;                ///< that of the settings, for each target
+  vehicle::Time last_looked_at_{0};    ///< exposure of the last frame that perception saw
+  vehicle::AutopilotMode mode_ = vehicle::AutopilotMode::idle;
+  SoftwareFaultOptions software_faults_;
   FlightRecord record_;
 };
 

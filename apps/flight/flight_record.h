@@ -37,6 +37,7 @@ struct TickRecord {
   double height_m = 0.0;
   Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
   servo::Command command;
+  bool has_frame = true;  ///< otherwise the tick went on without one
 };
 
 struct EventRecord {

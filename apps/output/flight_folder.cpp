@@ -1,5 +1,6 @@
 #include "apps/output/flight_folder.h"
 
+#include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
 #include "apps/config/mission_file.h"
 #include "apps/config/text_file.h"
@@ -11,6 +12,8 @@ namespace {
 
 std::optional<std::string> own_text(DataKind kind, const std::string& name_or_path) {
   if (is_shipped(kind, name_or_path)) return std::nullopt;
+  if (kind == DataKind::conditions && conditions_range(name_or_path))
+    return std::nullopt;  // drawn: in the config
   return read_text_file(find_data(kind, name_or_path));
 }
 

@@ -30,6 +30,7 @@ JunctionScore score_junctions(const FlightRecord& record, const JunctionTruth& t
   JunctionScore score;
   for (const TickRecord& tick : record.ticks) {
     if (tick.at_capture.phase != servo::Phase::follow || tick.now.phase != servo::Phase::follow) continue;
+    if (!tick.has_frame) continue;
     const double travel_m = tick.at_capture.v_W.head<2>().norm() * frame_period_s;
     const CodeTruth code = truth.at(pose(tick.at_capture), travel_m);
     if (!code.scored) continue;

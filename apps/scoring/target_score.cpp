@@ -23,7 +23,9 @@ std::optional<std::size_t> node_at(const vehicle::Layout& floor, const Eigen::Ve
 std::string broken_off(const FlightRecord& record) {
   if (record.crashed) return "crashed";
   if (record.abort_reason == AbortReason::line_lost) return "lost_line";
-  if (record.abort_reason == AbortReason::node_overdue) return "timeout";
+  const bool ran_out =
+      record.abort_reason == AbortReason::node_overdue || record.abort_reason == AbortReason::out_of_time;
+  if (ran_out) return "timeout";
   if (record.abort_reason != AbortReason::none || record.interrupted) return "aborted";
   return record.out_of_time ? "timeout" : "";
 }

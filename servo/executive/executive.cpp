@@ -1,5 +1,6 @@
 #include "servo/executive/executive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,10 +9,14 @@
 namespace lineservo::servo {
 namespace {
 
+constexpr int kSearches = 2;  // about one place
+constexpr double kSamePlace_m = 1.0;
+
 /// Phases that go by a place: the start marker or a node.
 bool tracks_node(Phase phase) {
-  return phase == Phase::align || phase == Phase::corner || phase == Phase::dock || phase == Phase::turn ||
-         phase == Phase::hover || phase == Phase::land || phase == Phase::look || phase == Phase::relaunch;
+  return phase == Phase::align || phase == Phase::search || phase == Phase::corner || phase == Phase::dock ||
+         phase == Phase::turn || phase == Phase::hover || phase == Phase::land || phase == Phase::look ||
+         phase == Phase::relaunch;
 }
 
 std::string told(const NodeSighting& node) {
@@ -23,13 +28,36 @@ std::string told(const NodeSighting& node) {
 
 Executive::Executive(Plan plan, std::unique_ptr<FollowLaw> law, const LawTraits& traits,
                      const ExecutiveOptions& options)
-    : plan_(std::move(plan)),
+    : navigator_(std::move(plan)),
       traits_(traits),
       options_(options),
       pilot_(std::move(law), traits, options),
-      matcher_(options.confirm_frames) {}
+      matcher_(options.confirm_frames, options.doubt_frames) {}
 
 Command Executive::tick(const Observation& observation, bool on_ground) {
+  const Observation& sound = guard_.checked(observation);
+  if (auto news = guard_.take_news()) report("guard", std::move(*news));
+  return decide(keep_straight(sound), on_ground);
+}
+
+// Where two branches look alike, perception may name either first.
+const Observation& Executive::keep_straight(const Observation& observation) {
+  const PlanStep* step = current_step();
+  const bool is_straight = step && !step->edge_bends;
+  if (phase_ != Phase::follow || matcher_.leaving() || !is_straight || !traits_.servos_on_node) {
+    compass_.restart();
+    return observation;
+  }
+  const std::size_t k = compass_.straight_on(observation);
+  if (k == 0) return observation;
+  reordered_ = observation;
+  auto& lines = reordered_.features.lines;
+  std::rotate(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(k),
+              lines.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  return reordered_;
+}
+
+Command Executive::decide(const Observation& observation, bool on_ground) {
   observe(observation);
   const Situation situation = assess(observation, on_ground);
   const Phase decided = next(phase_, situation, options_.phases);
@@ -49,8 +77,11 @@ void Executive::observe(const Observation& observation) {
   if (last_odometry_)
     travelled_m_ += along_way_m(between(*last_odometry_, observation.odometry_now).translation_m);
   last_odometry_ = observation.odometry_now;
+  note_progress(observation.now);
 
   node_ = phase_ == Phase::follow ? node_told(observation) : std::nullopt;
+  node_puzzles_ = false;
+  if (node_) judge_node(observation);
   if (tracks_node(phase_) || node_ || (phase_ == Phase::follow && !matcher_.leaving())) {
     auto sighting =
         phase_ == Phase::align ? disc_sighting(observation) : node_sighting(observation, current_step());
@@ -71,13 +102,47 @@ double Executive::along_way_m(const Eigen::Vector2d& moved_H_m) const {
   return pursues() ? moved_H_m.dot(pilot_.flies_towards_H()) : moved_H_m.x();
 }
 
+// Going back and forth before an obstacle to the law is no progress.
+void Executive::note_progress(Time now) {
+  constexpr double kWay_m = 0.1;
+  const bool begins = phase_ != Phase::follow || travelled_m_ < advanced_m_ - 2.0 * kWay_m;
+  if (!begins && travelled_m_ < advanced_m_ + kWay_m) return;
+  advanced_m_ = travelled_m_;
+  advanced_at_ = now;
+}
+
 std::optional<NodeSighting> Executive::node_told(const Observation& observation) {
-  const bool away = travelled_m_ > options_.leaving_heights * observation.height_m;
+  const bool away = travelled_m_ - told_at_m_ > options_.leaving_heights * observation.height_m;
   const PlanStep* step = current_step();
-  const bool by_arms = traits_.servos_on_node || (step && step->expected.bend == Bend::fork);
-  const Bend bend = by_arms ? bend_sighting(observation, current_step())
-                            : centroid_bend_.update(observation, current_step(), matcher_.leaving());
-  return matcher_.update(near_reading(observation, current_step()), away, bend);
+  const NodeSignature* expected = step ? &step->expected : nullptr;
+  const bool by_arms = traits_.servos_on_node || (expected && expected->bend == Bend::fork);
+  const Bend bend = by_arms ? bend_sighting(observation, step)
+                            : centroid_bend_.update(observation, step, matcher_.leaving());
+  return matcher_.update(near_reading(observation, step), away, bend, expected);
+}
+
+// A node that the plan does not expect is held against all that was passed before: it may be a ghost, or the
+// vehicle may be elsewhere than planned.
+void Executive::judge_node(const Observation& observation) {
+  const double way_m = travelled_m_ - told_at_m_;
+  const double drift_m =
+      options_.phases.odometry_drift_m_s * seconds(observation.now - std::max(told_at_, node_passed_));
+  Situation s;
+  s.step = current_step();
+  s.travelled_m = travelled_m_;
+  s.since_node_s = seconds(observation.now - node_passed_);
+  const auto verdict =
+      navigator_.judge(*node_, {way_m - drift_m, way_m + drift_m}, !too_early(s, options_.phases));
+  told_at_m_ = travelled_m_;
+  told_at_ = observation.now;
+  node_puzzles_ = verdict == Navigator::Verdict::puzzling;
+  if (verdict == Navigator::Verdict::as_planned) return;
+  report("unexpected", told(*node_) + ", " + navigator_.place());
+  if (verdict == Navigator::Verdict::planned_anew) {
+    report("plan", "anew from " + current_step()->node + " to " + navigator_.plan().target);
+    travelled_m_ = told_at_m_ = 0.0;
+  }
+  if (verdict == Navigator::Verdict::ignored) node_.reset();
 }
 
 // A first-order low pass, v ← p·v + (1 − p)·(v̂ + d̂) with p = exp(−dt/τ): the noise of the estimate is as
@@ -108,6 +173,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.past_corner = phase_ == Phase::corner && pilot_.past_corner(observation);
   s.servos_on_node = traits_.servos_on_node;
   s.on_ground = on_ground;
+  assess_health(observation, s);
   s.is_last = is_last_step();
   s.gave_up = abort_reason_ != AbortReason::none;
   const bool holds = goal_holds(phase_, s, options_.phases);
@@ -117,13 +183,31 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   return s;
 }
 
+void Executive::assess_health(const Observation& observation, Situation& s) const {
+  const Eigen::Vector2d here_m = observation.odometry_now.translation_m;
+  s.flight_s = seconds(observation.now);
+  s.height_age_s = observation.height_age_s;
+  s.velocity_age_s = observation.velocity_age_s;
+  const auto& refuses_since = pilot_.refuses_since();
+  s.not_finite_s =
+      std::max(guard_.bad_for_s(), refuses_since ? seconds(observation.now - *refuses_since) : 0.0);
+  s.node_puzzles = node_puzzles_;
+  s.stuck_s = phase_ == Phase::follow ? seconds(observation.now - advanced_at_) : 0.0;
+  s.line_off_s = compass_.off_for_s();
+  s.lost_limit_m = navigator_.lost_limit_m();
+  s.may_search = searches_ < kSearches || (here_m - searched_at_m_).norm() > kSamePlace_m;
+  s.search_is_over = pilot_.search_is_over(observation.now);
+  s.searched_from = searched_from_;
+  s.given_up = abort_reason_;
+}
+
 void Executive::pass_node(Time now) {
-  const PlanStep& step = plan_.steps[step_];
+  const PlanStep& step = *current_step();
   ++nodes_recognised_;
   report("node", told(*node_) + ": " + std::string(name(step.manoeuvre)) + " at " + step.node);
   if (step.manoeuvre == Manoeuvre::go_straight) {
-    ++step_;
-    travelled_m_ = 0.0;
+    navigator_.advance();
+    travelled_m_ = told_at_m_ = 0.0;
     node_passed_ = now;
     pilot_.forget_node();  // it must not slow the vehicle for the node behind
   }
@@ -134,7 +218,8 @@ void Executive::enter(Phase phase, const Observation& observation) {
   if (from == Phase::look) report("look", lookout_.told() + " at " + current_step()->node);
   pilot_.change(from, orders(), observation);
   if (phase == Phase::look) lookout_ = Lookout(pilot_.heading_in_rad());
-  if (phase == Phase::follow) begin_leg(from, observation);
+  if (phase == Phase::follow && from != Phase::search) begin_leg(from, observation);
+  if (phase == Phase::search) begin_search(from, observation);
   report("phase", std::string(name(phase)) +
                       (phase == Phase::aborted ? ": " + std::string(name(abort_reason_)) : std::string()));
   phase_began_ = observation.now;
@@ -142,11 +227,20 @@ void Executive::enter(Phase phase, const Observation& observation) {
   line_seen_ = observation.now;
 }
 
+void Executive::begin_search(Phase from, const Observation& observation) {
+  const Eigen::Vector2d here_m = observation.odometry_now.translation_m;
+  if ((here_m - searched_at_m_).norm() > kSamePlace_m) searches_ = 0;
+  searched_at_m_ = here_m;
+  searched_from_ = from;
+  pilot_.begin_search(searches_++, observation.now);
+}
+
 // Round a corner part of the next edge is flown already.
 void Executive::begin_leg(Phase from, const Observation& observation) {
   const auto corner_m = from == Phase::corner ? pilot_.corner_way_m(observation) : std::nullopt;
   travelled_m_ = corner_m.value_or(0.0);
-  if (turns(from)) ++step_;
+  told_at_m_ = 0.0;
+  if (turns(from)) navigator_.advance();
   node_passed_ = observation.now;
   matcher_.restart();
   pilot_.forget_node();
@@ -163,11 +257,7 @@ Eigen::Vector2d Executive::node_drift_H_m_s(const Observation& observation) cons
 
 // A flight that was broken off ends on the ground as well, and has to stay there.
 bool Executive::has_landed() const {
-  return options_.phases.land || plan_.steps.back().stop.land || abort_reason_ != AbortReason::none;
-}
-
-const PlanStep* Executive::current_step() const {
-  return step_ < plan_.steps.size() ? &plan_.steps[step_] : nullptr;
+  return options_.phases.land || plan().steps.back().stop.land || abort_reason_ != AbortReason::none;
 }
 
 bool Executive::pursues() const {

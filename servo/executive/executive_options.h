@@ -20,6 +20,7 @@ struct ExecutiveOptions {
   NodeTracker::Options tracker;
   CommandLimits limits;
   int confirm_frames = 2;
+  int doubt_frames = 3;  ///< more of them for a node that the plan does not expect
   double leaving_heights =
       0.7;  ///< a node left behind is in view for so far a way, in heights: half the view
   double climb_rate_m_s = 0.4;

@@ -24,6 +24,10 @@ std::optional<NodeSighting> complete_node(const CodeReading& reading, Bend bend)
   }
 }
 
+bool matches(const NodeSighting& node, const NodeSignature& expected) {
+  return node.code == expected.code && node.line_ends == expected.line_ends && node.bend == expected.bend;
+}
+
 bool is_clear(const CodeReading& reading) {
   return reading.smoothed == JunctionCode::straight && !reading.line_ends_ahead;
 }
@@ -34,7 +38,8 @@ void JunctionMatcher::restart() {
   candidate_frames_ = 0;
 }
 
-std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading, bool away, Bend bend) {
+std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading, bool away, Bend bend,
+                                                    const NodeSignature* expected) {
   if (leaving_) {
     leaving_ = !(away && is_clear(reading));
     return std::nullopt;
@@ -42,7 +47,8 @@ std::optional<NodeSighting> JunctionMatcher::update(const CodeReading& reading, 
   const std::optional<NodeSighting> seen = complete_node(reading, bend);
   candidate_frames_ = seen && seen == candidate_ ? candidate_frames_ + 1 : 1;
   candidate_ = seen;
-  if (!seen || candidate_frames_ < confirm_frames_) return std::nullopt;
+  const bool doubted = seen && expected && !matches(*seen, *expected);
+  if (!seen || candidate_frames_ < confirm_frames_ + (doubted ? doubt_frames_ : 0)) return std::nullopt;
   restart();
   return seen;
 }

@@ -22,18 +22,21 @@ struct NodeSighting {
 /// behind.
 class JunctionMatcher {
  public:
-  /// A node is told when it reads the same in `confirm_frames` frames in a row.
-  explicit JunctionMatcher(int confirm_frames) : confirm_frames_(confirm_frames) {}
+  /// A node is told when it reads the same in `confirm_frames` frames in a row; one that is not expected
+  /// needs `doubt_frames` more.
+  explicit JunctionMatcher(int confirm_frames, int doubt_frames = 0)
+      : confirm_frames_(confirm_frames), doubt_frames_(doubt_frames) {}
 
   void restart();
   /// `away`: the vehicle has come so far since the last node, or since the start of the leg, that it can be
   /// out of view.
-  std::optional<NodeSighting> update(const features::CodeReading& reading, bool away, Bend bend = Bend::none);
+  std::optional<NodeSighting> update(const features::CodeReading& reading, bool away, Bend bend = Bend::none,
+                                     const NodeSignature* expected = nullptr);
   /// The node told last, or the one that the leg started from, is still in view.
   bool leaving() const { return leaving_; }
 
  private:
-  int confirm_frames_;
+  int confirm_frames_, doubt_frames_;
   bool leaving_ = true;
   std::optional<NodeSighting> candidate_;
   int candidate_frames_ = 0;
@@ -44,6 +47,9 @@ class JunctionMatcher {
 /// the same.
 /// A bend counts before all these.
 std::optional<NodeSighting> complete_node(const features::CodeReading& reading, Bend bend = Bend::none);
+
+/// The node is what a signature says.
+bool matches(const NodeSighting& node, const NodeSignature& expected);
 
 /// Plain line and nothing else.
 bool is_clear(const features::CodeReading& reading);

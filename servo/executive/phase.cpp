@@ -45,8 +45,40 @@ double turn_limit_s(Phase phase, const PhaseOptions& o) {
   return phase == Phase::look ? 2.0 * o.turn_limit_s : o.turn_limit_s;
 }
 
-bool flies(Phase phase) {
+bool needs_line(Phase phase) {
   return phase == Phase::align || phase == Phase::follow;
+}
+
+bool is_out_of_sight(Phase phase, const Situation& s, const PhaseOptions& o) {
+  if (phase == Phase::dock) return !s.node_distance_m;
+  return needs_line(phase) && s.line_unseen_s > o.line_memory_s;
+}
+
+bool has_ended(Phase phase) {
+  return phase == Phase::land || phase == Phase::aborted || phase == Phase::finished;
+}
+
+/// Beyond this no other code can come either.
+bool lost(const Situation& s, const PhaseOptions& o) {
+  Situation shorter = s;
+  shorter.travelled_m -= s.lost_limit_m;
+  return overdue(shorter, o);
+}
+
+/// What ends a flight in whatever phase it is.
+AbortReason abort_reason_of_vehicle(Phase phase, const Situation& s, const PhaseOptions& o) {
+  if (s.not_finite_s > o.not_finite_limit_s) return AbortReason::not_finite;
+  if (s.height_age_s > o.sensor_memory_s) return AbortReason::height_unknown;
+  if (s.velocity_age_s > o.sensor_memory_s) return AbortReason::velocity_unknown;
+  if (s.flight_s > o.endurance_s - o.landing_reserve_s) return AbortReason::out_of_time;
+  const bool may_stand = phase == Phase::take_off || phase == Phase::rest || phase == Phase::relaunch;
+  if (s.on_ground && !may_stand) return AbortReason::grounded;
+  return AbortReason::none;
+}
+
+/// A flight that cannot stay up for long, or knows too little of itself, lands at once.
+double hover_before_landing_s(const Situation& s, const PhaseOptions& o) {
+  return s.given_up >= AbortReason::height_unknown ? 0.0 : o.abort_hover_s;
 }
 
 }  // namespace
@@ -79,6 +111,8 @@ std::string_view name(Phase phase) {
       return "rest";
     case Phase::relaunch:
       return "relaunch";
+    case Phase::search:
+      return "search";
   }
   return "?";
 }
@@ -99,6 +133,20 @@ std::string_view name(AbortReason reason) {
       return "a node came that the plan does not expect here";
     case AbortReason::turn_failed:
       return "the turn did not end on a line";
+    case AbortReason::line_turns_off:
+      return "the line turns off where the edge is straight";
+    case AbortReason::stuck:
+      return "no way is made along the line";
+    case AbortReason::height_unknown:
+      return "no sensor tells the height";
+    case AbortReason::velocity_unknown:
+      return "no sensor tells the velocity";
+    case AbortReason::not_finite:
+      return "numbers that are not finite";
+    case AbortReason::out_of_time:
+      return "the battery's time runs out";
+    case AbortReason::grounded:
+      return "the autopilot has landed";
   }
   return "?";
 }
@@ -131,8 +179,11 @@ bool cornered(const Situation& s, const PhaseOptions& o) {
 }
 
 bool expected(const NodeSighting& node, const PlanStep& step) {
-  return node.code == step.expected.code && node.line_ends == step.expected.line_ends &&
-         node.bend == step.expected.bend;
+  return matches(node, step.expected);
+}
+
+bool found(const Situation& s, const PhaseOptions&) {
+  return s.searched_from == Phase::dock ? s.node_distance_m.has_value() : s.line_angle_rad.has_value();
 }
 
 bool overdue(const Situation& s, const PhaseOptions& o) {
@@ -158,21 +209,28 @@ bool goal_holds(Phase phase, const Situation& s, const PhaseOptions& o) {
       return turned(s, o);
     case Phase::relaunch:
       return relaunched(s, o);
+    case Phase::search:
+      return found(s, o);
     default:
       return false;
   }
 }
 
 AbortReason abort_reason(Phase phase, const Situation& s, const PhaseOptions& o) {
+  if (has_ended(phase)) return AbortReason::none;
+  if (const AbortReason reason = abort_reason_of_vehicle(phase, s, o); reason != AbortReason::none)
+    return reason;
   if (phase == Phase::take_off && s.phase_s > o.take_off_limit_s) return AbortReason::take_off_failed;
   if (phase == Phase::align && s.phase_s > o.align_limit_s) return AbortReason::line_lost;
-  if (flies(phase) && s.line_unseen_s > o.line_memory_s) return AbortReason::line_lost;
-  if (phase == Phase::follow && s.node && s.step && (!expected(*s.node, *s.step) || too_early(s, o))) {
-    return AbortReason::node_unexpected;
-  }
-  if (phase == Phase::follow && overdue(s, o)) return AbortReason::node_overdue;
-  if (phase == Phase::dock && (!s.node_distance_m || s.phase_s > o.dock_limit_s))
-    return AbortReason::node_lost;
+  if (needs_line(phase) && is_out_of_sight(phase, s, o) && !s.may_search) return AbortReason::line_lost;
+  if (phase == Phase::follow && s.line_off_s > o.turn_off_limit_s) return AbortReason::line_turns_off;
+  if (phase == Phase::follow && s.stuck_s > o.stuck_limit_s) return AbortReason::stuck;
+  if (phase == Phase::follow && s.node && s.node_puzzles) return AbortReason::node_unexpected;
+  if (phase == Phase::follow && lost(s, o)) return AbortReason::node_overdue;
+  if (phase == Phase::dock && is_out_of_sight(phase, s, o) && !s.may_search) return AbortReason::node_lost;
+  if (phase == Phase::dock && s.phase_s > o.dock_limit_s) return AbortReason::node_lost;
+  if (phase == Phase::search && s.search_is_over)
+    return s.searched_from == Phase::dock ? AbortReason::node_lost : AbortReason::line_lost;
   const bool turns = phase == Phase::turn || phase == Phase::corner || phase == Phase::look;
   if (turns && s.phase_s > turn_limit_s(phase, o)) return AbortReason::turn_failed;
   if (phase == Phase::relaunch && s.phase_s > o.take_off_limit_s + o.dock_limit_s)
@@ -183,6 +241,7 @@ AbortReason abort_reason(Phase phase, const Situation& s, const PhaseOptions& o)
 
 Phase next(Phase phase, const Situation& s, const PhaseOptions& o) {
   if (abort_reason(phase, s, o) != AbortReason::none) return Phase::aborted;
+  if (is_out_of_sight(phase, s, o)) return Phase::search;
   switch (phase) {
     case Phase::take_off:
       return settled(s, o) ? Phase::align : phase;
@@ -209,9 +268,11 @@ Phase next(Phase phase, const Situation& s, const PhaseOptions& o) {
     case Phase::relaunch:
       return settled(s, o) ? Phase::turn : phase;
     case Phase::aborted:
-      return s.phase_s < o.abort_hover_s ? phase : Phase::land;
+      return s.phase_s < hover_before_landing_s(s, o) ? phase : Phase::land;
     case Phase::finished:
       return phase;
+    case Phase::search:
+      return settled(s, o) ? s.searched_from : phase;
   }
   return Phase::aborted;
 }

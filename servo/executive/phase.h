@@ -11,6 +11,7 @@ namespace lineservo::servo {
 /// What the vehicle is doing. `corner` is a turn that is flown without a stop. `aborted` hovers for a while
 /// and then lands; `finished` is the end of the flight. Between two targets of a mission: `look` turns once
 /// about itself, `rest` stands on the ground, `relaunch` comes back to the height above the same node.
+/// `search` looks for a line or a node that went out of sight.
 enum class Phase {
   take_off,
   align,
@@ -24,7 +25,8 @@ enum class Phase {
   finished,
   look,
   rest,
-  relaunch
+  relaunch,
+  search
 };
 
 std::string_view name(Phase phase);
@@ -36,7 +38,14 @@ enum class AbortReason {
   node_lost,
   node_overdue,
   node_unexpected,
-  turn_failed
+  turn_failed,
+  line_turns_off,
+  stuck,
+  height_unknown,
+  velocity_unknown,
+  not_finite,
+  out_of_time,
+  grounded
 };
 
 std::string_view name(AbortReason reason);
@@ -62,7 +71,13 @@ struct PhaseOptions {
   double corner_angle_rad = 0.05;  ///< of the next edge at the end of a corner
   double hover_s = 8.0;
   double abort_hover_s = 3.0;
-  bool land = false;  ///< at the end of the mission
+  bool land = false;                ///< at the end of the mission
+  double sensor_memory_s = 1.0;     ///< without a height or a velocity before the vehicle lands
+  double not_finite_limit_s = 0.5;  ///< of estimates or a law's commands that are not finite
+  double turn_off_limit_s = 1.0;    ///< of a line on a straight edge that leads elsewhere
+  double stuck_limit_s = 20.0;
+  double endurance_s = 3600.0;      ///< of the battery, since its switching on
+  double landing_reserve_s = 15.0;  ///< of it, kept for landing
 };
 
 /// All that decides on the phase, gathered anew each tick. What is not known is absent.
@@ -84,6 +99,17 @@ struct Situation {
   bool past_corner = false;     ///< the arc lies behind
   bool servos_on_node = false;  ///< the law docks; others stop on the confirmed code
   bool on_ground = false;
+  double flight_s = 0.0;
+  double height_age_s = 0.0, velocity_age_s = 0.0;  ///< for which no sensor has told them
+  double not_finite_s = 0.0;                        ///< for which what came in or went out was not finite
+  double stuck_s = 0.0;                             ///< for which the vehicle has made no way along the line
+  double line_off_s = 0.0;    ///< for which the line has turned off a straight edge's heading
+  bool node_puzzles = false;  ///< it is none that the plan or the floor can explain
+  double lost_limit_m = 0.0;  ///< beyond being overdue, on which other codes may come
+  bool may_search = false;    ///< here, once more
+  bool search_is_over = false;
+  Phase searched_from = Phase::follow;
+  AbortReason given_up = AbortReason::none;
   bool is_last = true;   ///< no target comes after the step
   bool gave_up = false;  ///< the flight was broken off
 };
@@ -101,6 +127,8 @@ bool turned(const Situation& s, const PhaseOptions& o);
 /// Past the arc and on the next line's heading; the law that follows lines does the rest.
 bool cornered(const Situation& s, const PhaseOptions& o);
 bool expected(const NodeSighting& node, const PlanStep& step);
+/// The line or node that is searched for is in sight.
+bool found(const Situation& s, const PhaseOptions& o);
 /// The expected code did not come within the possible distance.
 bool overdue(const Situation& s, const PhaseOptions& o);
 /// A node came where none can be yet.

@@ -37,6 +37,7 @@ bool Pilot::see_line(const Observation& observation) {
   const features::LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
   line_angle_rad_ = now.theta_rad;
   line_offset_m_ = now.rho * observation.height_m;
+  last_line_ = LastLine{observation.odometry_now, *line_offset_m_, *line_angle_rad_};
   return true;
 }
 
@@ -106,6 +107,8 @@ Command Pilot::command(const Orders& orders, const Observation& observation) {
       return stay(observation);
     case Phase::land:
       return land(observation);
+    case Phase::search:
+      return search(observation);
     case Phase::rest:
       return LandCommand{};
     case Phase::relaunch:
@@ -118,6 +121,8 @@ Command Pilot::command(const Orders& orders, const Observation& observation) {
 
 // A velocity command that comes after one of another kind starts from how the vehicle moves.
 Command Pilot::shape(const Command& command, const Observation& observation, double dt_s) {
+  if (is_finite(command)) refuses_since_.reset();
+  if (!is_finite(command) && !refuses_since_) refuses_since_ = observation.now;
   const auto* wanted = std::get_if<VelocityCommand>(&command);
   if (!wanted || !is_finite(command)) {
     last_command_ = moving_as(observation);
@@ -257,6 +262,14 @@ Command Pilot::land(const Observation& observation) {
   if (!node) return LandCommand{};
   return dock_law_.hold(observation,
                         {*node, line_angle_rad_, 0.0, options_.descent_share * observation.height_m});
+}
+
+VelocityCommand Pilot::search(const Observation& observation) {
+  VelocityCommand command = stay(observation);
+  const Eigen::Vector2d v_H_m_s = search_.velocity_H_m_s(observation);
+  command.forward_m_s = v_H_m_s.x();
+  command.left_m_s = v_H_m_s.y();
+  return command;
 }
 
 // Straight up while the camera is too low to see the node.

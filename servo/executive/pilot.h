@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "servo/executive/executive_options.h"
+#include "servo/executive/search.h"
 #include "servo/executive/turn.h"
 #include "servo/law/follow_law.h"
 #include "servo/plan/plan.h"
@@ -35,6 +36,12 @@ class Pilot {
   void forget_node() { tracker_.reset(); }
   /// Makes ready for a phase that follows another.
   void change(Phase from, const Orders& orders, const Observation& observation);
+
+  /// Sets out to look for a line or node that went out of sight, counting its attempts here from 0.
+  void begin_search(int attempt, Time now) { search_ = Search(last_line_, attempt, now); }
+  bool search_is_over(Time now) const { return search_.is_over(now); }
+  /// Since when the law has said what is not finite; none when it does not.
+  const std::optional<Time>& refuses_since() const { return refuses_since_; }
 
   Command fly(const Orders& orders, const Observation& observation, double dt_s);
 
@@ -81,6 +88,7 @@ class Pilot {
   VelocityCommand sink(const Observation& observation) const;
   VelocityCommand corner(const Observation& observation);
   VelocityCommand turn(const Observation& observation);
+  VelocityCommand search(const Observation& observation);
 
   double approach_speed(const Orders& orders, const Observation& observation) const;
   CornerArc planned_arc(const PlanStep* step) const;
@@ -94,9 +102,12 @@ class Pilot {
   DockLaw dock_law_;
   NodeTracker tracker_;
   std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
+  std::optional<LastLine> last_line_;
+  Search search_;
   Turn turn_;
   CornerArc arc_;  ///< of the corner that is being flown
   VelocityCommand last_command_;
+  std::optional<Time> refuses_since_;
 };
 
 /// Phases that change the heading from one edge to the next, or to the same again.

@@ -26,6 +26,9 @@ struct Observation {
   double height_m = 0.0;       ///< now
   double capture_height_m = 0.0;
   Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
+  bool has_frame = true;  ///< otherwise none came in time, and the features are empty
+  /// For how long no sensor has told the height and the velocity.
+  double height_age_s = 0.0, velocity_age_s = 0.0;
 };
 
 /// What the vehicle moved since the frame was taken.

@@ -137,14 +137,7 @@ PlanStep arrive(const Topology& topology, const TopologyArm& by) {
   step.node = topology.nodes[by.to].name;
   step.edge_length_m = topology.edges[by.edge].length_m;
   step.edge_bends = topology.edges[by.edge].bends;
-  try {
-    step.expected = signature(relative_angles(topology.nodes[by.to], by.arrival_heading_rad));
-    if (step.expected.bend == Bend::fork) check_view(topology, topology.nodes[by.to]);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("node " + step.node + ": " + error.what());
-  }
-  if (topology.nodes[by.to].has_disc)
-    step.expected = {JunctionCode::start, JunctionCode::start, false, Bend::none, {}};
+  step.expected = signature_at(topology, by);
   return step;
 }
 
@@ -283,6 +276,7 @@ std::vector<std::size_t> target_steps(const Plan& plan) {
 
 PlanBuilder::PlanBuilder(const Topology& topology, std::string instruction) : topology_(topology) {
   plan_.instruction = std::move(instruction);
+  plan_.floor = std::make_shared<const Topology>(topology);
 }
 
 std::size_t PlanBuilder::here() const {
@@ -310,6 +304,36 @@ Plan compile(const Topology& topology, std::size_t target, std::string instructi
   PlanBuilder builder(topology, instruction);
   builder.visit({target, std::move(instruction), {}});
   return builder.plan();
+}
+
+Plan compile_onward(std::shared_ptr<const Topology> topology, const TopologyArm& by, const Visit& visit,
+                    std::string instruction) {
+  Plan plan;
+  plan.instruction = std::move(instruction);
+  plan.target = topology->nodes.at(visit.node).name;
+  plan.start_heading_rad = by.arrival_heading_rad;
+  plan.route = {by};
+  plan.floor = topology;
+  if (by.to != visit.node) {
+    const auto onward = shortest_route(*topology, by.to, visit.node, by.arrival_heading_rad);
+    if (!onward)
+      throw std::invalid_argument(plan.instruction + ": no painted way leads on to " + plan.target);
+    plan.route.insert(plan.route.end(), onward->begin(), onward->end());
+  }
+  plan.steps = leg(*topology, by.to, plan.route, visit);
+  return plan;
+}
+
+NodeSignature signature_at(const Topology& topology, const TopologyArm& by) {
+  const TopologyNode& node = topology.nodes[by.to];
+  const NodeSignature disc{JunctionCode::start, JunctionCode::start, false, Bend::none, {}};
+  try {
+    const NodeSignature seen = signature(relative_angles(node, by.arrival_heading_rad));
+    if (seen.bend == Bend::fork) check_view(topology, node);
+    return node.has_disc ? disc : seen;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("node " + node.name + ": " + error.what());
+  }
 }
 
 std::size_t find_target(const Topology& topology, std::string_view target) {

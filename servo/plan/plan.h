@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,6 +58,8 @@ struct Plan {
   double start_heading_rad = 0.0;  ///< of the first edge; where the vehicle is placed facing
   std::vector<PlanStep> steps;     ///< targets hover; the last one is a target
   Route route;                     ///< the arms taken; for explaining and scoring only
+  /// What it was compiled on, to find out by the codes where a flight has got to and to plan anew.
+  std::shared_ptr<const Topology> floor = {};
 };
 
 /// Indices of the steps that are targets, in order; the last one is the plan's last.
@@ -93,6 +96,10 @@ class PlanBuilder {
 /// The plan for a single target. Throws as PlanBuilder::visit().
 Plan compile(const Topology& topology, std::size_t target, std::string instruction);
 
+/// The plan of a traveller who has just come to the end of an arm. Throws as compile() does.
+Plan compile_onward(std::shared_ptr<const Topology> topology, const TopologyArm& by, const Visit& visit,
+                    std::string instruction);
+
 /// The node that a target names: a DIF (a13) by the topology's labels, or node:NAME. Throws
 /// std::invalid_argument with what is allowed.
 std::size_t find_target(const Topology& topology, std::string_view target);
@@ -102,6 +109,9 @@ std::size_t find_target(const Topology& topology, std::string_view target);
 /// back, left and right, or two on one side, make it a fork. Throws std::invalid_argument when two arms of a
 /// fork are less than 40° apart.
 NodeSignature signature(const std::vector<double>& arm_angles_rad);
+
+/// How the node at the end of an arm looks to a traveller who comes along it. Throws as signature() does.
+NodeSignature signature_at(const Topology& topology, const TopologyArm& by);
 
 std::string_view name(Manoeuvre manoeuvre);
 

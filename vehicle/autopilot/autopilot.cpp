@@ -11,6 +11,9 @@ namespace {
 constexpr double kGroundClearance_m = 0.03;
 constexpr double kStandingSpeed_m_s = 0.1;
 constexpr Time kSettles = std::chrono::milliseconds(300);
+/// A height that was not measured for so long does not tell the ground.
+constexpr Time kHeightStale = std::chrono::milliseconds(500);
+constexpr double kCarried = 0.75;  // of the weight: the integral takes off no more than a third
 /// From this far above the gear the descent is slow.
 constexpr double kLastBit_m = 0.2;
 
@@ -29,6 +32,7 @@ const AutopilotOptions& checked(const AutopilotOptions& options) {
 Autopilot::Autopilot(const AirframeParameters& airframe, const AutopilotOptions& options)
     : options_(checked(options)),
       gear_height_m_(checked(airframe).gear_height_m),
+      hover_speed2_rad2_s2_(airframe.weight_N() / airframe.thrust_coefficient_N_s2),
       cascade_(airframe, options, seconds(kInertialPeriod)) {}
 
 void Autopilot::command(const Setpoint& setpoint, Time stamp, Time holds_for, Time now) {
@@ -44,6 +48,12 @@ PerRotor Autopilot::update(Time now, const Estimate& estimate) {
     return PerRotor::Zero();
   }
   blind_.travel(estimate, seconds(kInertialPeriod));
+  const PerRotor rotors_rad_s = drive(now, estimate);
+  speed2_rad2_s2_ = rotors_rad_s.squaredNorm();
+  return rotors_rad_s;
+}
+
+PerRotor Autopilot::drive(Time now, const Estimate& estimate) {
   if (mode_ == AutopilotMode::tracking) return track(*commands_.live(now), estimate);
   return mode_ == AutopilotMode::braking ? brake(estimate) : land(estimate);
 }
@@ -68,10 +78,15 @@ bool Autopilot::wants_up(const Setpoint& setpoint) const {
 }
 
 void Autopilot::watch_ground(Time now, const Estimate& estimate) {
-  const bool low = estimate.height_m < gear_height_m_ + kGroundClearance_m;
-  const bool stands = low && std::abs(estimate.v_H_m_s.z()) < kStandingSpeed_m_s;
   // Only a vehicle that lands counts as standing: one that takes off needs its time.
-  if (!stands || mode_ != AutopilotMode::landing) off_ground_at_ = now;
+  if (!stands(now, estimate) || mode_ != AutopilotMode::landing) off_ground_at_ = now;
+}
+
+// By the height; where no sensor tells it, by the floor's carrying what the rotors, told to go down, do not.
+bool Autopilot::stands(Time now, const Estimate& estimate) const {
+  if (now - estimate.range_heard > kHeightStale) return speed2_rad2_s2_ < kCarried * hover_speed2_rad2_s2_;
+  const bool low = estimate.height_m < gear_height_m_ + kGroundClearance_m;
+  return low && std::abs(estimate.v_H_m_s.z()) < kStandingSpeed_m_s;
 }
 
 void Autopilot::enter(AutopilotMode mode, Time now, const Estimate& estimate) {

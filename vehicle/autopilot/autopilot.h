@@ -27,6 +27,8 @@ class Autopilot {
   Situation situation(Time now, const Estimate& estimate) const;
   bool wants_up(const Setpoint& setpoint) const;
   void watch_ground(Time now, const Estimate& estimate);
+  bool stands(Time now, const Estimate& estimate) const;
+  PerRotor drive(Time now, const Estimate& estimate);
   void enter(AutopilotMode mode, Time now, const Estimate& estimate);
   PerRotor track(const Setpoint& setpoint, const Estimate& estimate);
   PerRotor brake(const Estimate& estimate);
@@ -34,6 +36,8 @@ class Autopilot {
 
   AutopilotOptions options_;
   double gear_height_m_;
+  double hover_speed2_rad2_s2_;  ///< sum of the squared rotor speeds that carry the weight
+  double speed2_rad2_s2_ = 0.0;  ///< the same as driven
   Cascade cascade_;
   CommandSlot commands_;
   BlindOdometer blind_;

@@ -24,6 +24,7 @@ class ChainFilter {
 
   const Eigen::Vector3d& state() const { return x_; }
   const Eigen::Matrix3d& covariance() const { return P_; }
+  double measurement_variance() const { return R_; }
   /// For a change of frame that leaves the covariance as it is.
   void set_state(int state, double value) { x_[state] = value; }
 

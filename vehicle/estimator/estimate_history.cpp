@@ -17,6 +17,8 @@ Estimate interpolated(const Estimate& a, const Estimate& b, double w) {
   e.v_H_m_s = a.v_H_m_s + w * (b.v_H_m_s - a.v_H_m_s);
   e.a_H_m_s2 = a.a_H_m_s2 + w * (b.a_H_m_s2 - a.a_H_m_s2);
   e.height_m = mix(a.height_m, b.height_m);
+  e.range_heard = a.range_heard;
+  e.flow_heard = a.flow_heard;
   return e;
 }
 

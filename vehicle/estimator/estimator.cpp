@@ -14,6 +14,8 @@ constexpr double kLeastFlowSigma_m_s = 2e-3;
 constexpr double kLeastRangeSigma_m = 1e-3;
 constexpr double kLeastAcceleration_m_s2 = 5e-3;
 
+constexpr double kRangeGate_sigmas = 6.0, kLeastRangeGate_m = 0.1, kMostRangeGate_m = 0.3;
+
 double white_density(double sigma_at_least) {
   return sigma_at_least * sigma_at_least * kPeriod_s;
 }
@@ -53,7 +55,8 @@ double first_height_m(const SensorReadings& first) {
 }  // namespace
 
 Estimator::Estimator(const SensorParameters& parameters, const SensorReadings& first)
-    : tilt_(first.roll_rad, first.pitch_rad),
+    : guard_(first),
+      tilt_(first.roll_rad, first.pitch_rad),
       v_x_(velocity_filter(parameters)),
       v_y_(velocity_filter(parameters)),
       height_(height_filter(parameters, first_height_m(first))),
@@ -61,7 +64,8 @@ Estimator::Estimator(const SensorParameters& parameters, const SensorReadings& f
   publish(first, Eigen::Vector3d::Zero());
 }
 
-void Estimator::update(const SensorReadings& readings) {
+void Estimator::update(const SensorReadings& heard) {
+  const SensorReadings readings = guard_.checked(heard, tilt_.roll_rad(), tilt_.pitch_rad());
   // The gyro is sampled at the ends of the period: the trapezium rule for what it turned.
   const Eigen::Vector3d w_B = 0.5 * (last_gyro_B_ + readings.gyro_B_rad_s);
   last_gyro_B_ = readings.gyro_B_rad_s;
@@ -101,10 +105,23 @@ void Estimator::correct(const SensorReadings& readings) {
   if (readings.flow_v_H_m_s) {
     v_x_.measure(readings.flow_v_H_m_s->x());
     v_y_.measure(readings.flow_v_H_m_s->y());
+    estimate_.flow_heard = readings.stamp;
   }
   if (readings.range_m) {
-    height_.measure(height_from_range(*readings.range_m, readings.roll_rad, readings.pitch_rad));
+    hear_range(height_from_range(*readings.range_m, readings.roll_rad, readings.pitch_rad), readings.stamp);
   }
+}
+
+// What is further off than the filter can be is no height. Among wild ranges one is near it now and then:
+// after one that is not, several in a row must be.
+void Estimator::hear_range(double height_m, Time stamp) {
+  const double off_m = std::abs(height_m - height_.state()[0]);
+  const double sigma_m = std::sqrt(height_.covariance()(0, 0) + height_.measurement_variance());
+  const double gate_m = std::clamp(kRangeGate_sigmas * sigma_m, kLeastRangeGate_m, kMostRangeGate_m);
+  ranges_agreed_ = off_m < gate_m ? std::min(ranges_agreed_ + 1, kAgreeingRanges) : 0;
+  if (ranges_agreed_ < kAgreeingRanges) return;
+  height_.measure(height_m);
+  estimate_.range_heard = stamp;
 }
 
 void Estimator::publish(const SensorReadings& readings, const Eigen::Vector3d& a_H) {

@@ -2,6 +2,7 @@
 
 #include "vehicle/estimate.h"
 #include "vehicle/estimator/chain_filter.h"
+#include "vehicle/estimator/reading_guard.h"
 #include "vehicle/estimator/tilt_tracker.h"
 #include "vehicle/sensors/sensors.h"
 
@@ -14,6 +15,7 @@ class Estimator {
   /// From the first readings, taken at rest.
   Estimator(const SensorParameters& parameters, const SensorReadings& first);
 
+  /// Whatever comes, the estimate stays finite.
   void update(const SensorReadings& readings);
   const Estimate& estimate() const { return estimate_; }
 
@@ -21,12 +23,16 @@ class Estimator {
   void predict(const Eigen::Vector3d& a_H_m_s2, double yaw_step_rad);
   void turn_horizontal_axes(double yaw_step_rad);
   void correct(const SensorReadings& readings);
+  void hear_range(double height_m, Time stamp);
   void publish(const SensorReadings& readings, const Eigen::Vector3d& a_H_m_s2);
 
+  ReadingGuard guard_;
   TiltTracker tilt_;
   ChainFilter v_x_, v_y_;  // velocity, correction of the acceleration, its drift
   ChainFilter height_;     // height, climb rate, correction of the acceleration
   Eigen::Vector3d last_gyro_B_;
+  static constexpr int kAgreeingRanges = 5;
+  int ranges_agreed_ = kAgreeingRanges;  ///< in a row, with the height
   Estimate estimate_;
 };
 

@@ -124,19 +124,42 @@ void WearOptions::validate() const {
     throw std::invalid_argument("wear: there must be 0 to 20 objects per m²");
 }
 
-Decals::Decals(const Layout& layout, const WearOptions& options, std::uint64_t seed)
+Decals::Decals(const Layout& layout, const WearOptions& options, std::uint64_t seed,
+               const RepaintOptions& repainted)
     : layout_(layout),
       options_(options),
       seed_(seed),
       blotch_radius_m_(
           std::clamp(kBlotchInWidths * narrowest_m(layout), kSmallestBlotch_m, kLargestBlotch_m)) {
   options.validate();
+  repaint(repainted);
   if (options.gap_m > 0.0) cut_gaps();
+}
+
+void RepaintOptions::validate() const {
+  if (!cover_W.allFinite() || !branch_W.allFinite() || !std::isfinite(branch_heading_rad))
+    throw std::invalid_argument("repaint: places and headings must be finite");
+  if (!within(cover_radius_m, 0.0, 100.0))
+    throw std::invalid_argument("repaint: the cover's radius must be 0 to 100 m");
+  if (!within(branch_length_m, 0.0, 100.0))
+    throw std::invalid_argument("repaint: the branch must be 0 to 100 m long");
+}
+
+void Decals::repaint(const RepaintOptions& options) {
+  options.validate();
+  if (options.cover_radius_m > 0.0)
+    lasting_.push_back(disc(options.cover_W, options.cover_radius_m, layout_.floor_colour));
+  if (!(options.branch_length_m > 0.0)) return;
+  const LayoutEdge& like = layout_.edges.front();
+  const Vector2d along_W(std::cos(options.branch_heading_rad), std::sin(options.branch_heading_rad));
+  lasting_.push_back(rectangle(options.branch_W + 0.5 * options.branch_length_m * along_W,
+                               options.branch_heading_rad, options.branch_length_m, like.width_m,
+                               like.colour));
 }
 
 bool Decals::is_none() const {
   return options_.worn_share == 0.0 && options_.dirt_share == 0.0 && options_.objects_per_m2 == 0.0 &&
-         gaps_.empty();
+         lasting_.empty();
 }
 
 // Gap k of a line lies somewhere in the middle 60 % of the line's k-th stretch, unless that is near a node.
@@ -149,8 +172,8 @@ void Decals::cut_gaps() {
       const double s_m = (k + random.uniform(0.2, 0.8)) * options_.gap_every_m;
       if (s_m < clear_m || s_m > edge.centreline.length_m() - clear_m) continue;
       const CurvePoint middle = edge.centreline.at(s_m);
-      gaps_.push_back(rectangle(middle.p_W, middle.heading_rad, options_.gap_m,
-                                edge.width_m + 2.0 * kGapOverhang_m, layout_.floor_colour));
+      lasting_.push_back(rectangle(middle.p_W, middle.heading_rad, options_.gap_m,
+                                   edge.width_m + 2.0 * kGapOverhang_m, layout_.floor_colour));
     }
   }
 }
@@ -219,7 +242,7 @@ void Decals::look_near(const Vector2d& p_W, double radius_m) {
       if ((decal.centre_W - p_W).squaredNorm() < std::pow(radius_m + decal.reach_m, 2))
         into.push_back(&decal.shape);
   };
-  take(gaps_, holes_);
+  take(lasting_, holes_);
   const double reach_m = radius_m + kLargestReach_m;
   const auto square_at = [](double c) { return static_cast<int>(std::floor(c / kSquare_m)); };
   for (int x = square_at(p_W.x() - reach_m); x <= square_at(p_W.x() + reach_m); ++x)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "vehicle/floor/paint.h"
+#include "vehicle/floor/repaint_options.h"
 #include "vehicle/floor/wear_options.h"
 #include "vehicle/random.h"
 
@@ -18,12 +19,13 @@ namespace lineservo::vehicle {
 class Decals {
  public:
   /// `layout` must be sound.
-  Decals(const Layout& layout, const WearOptions& options, std::uint64_t seed);
+  Decals(const Layout& layout, const WearOptions& options, std::uint64_t seed,
+         const RepaintOptions& repaint = {});
 
   bool is_none() const;
   /// Finds what may reach into the disc. It stays until the next call.
   void look_near(const Eigen::Vector2d& p_W, double radius_m);
-  /// Holes in the paint of the lines, in the floor's colour; under the markers.
+  /// Holes in the paint of the lines, in the floor's colour, and what was painted over; under the markers.
   const std::vector<const PaintShape*>& holes() const { return holes_; }
   /// What lies on top of everything.
   const std::vector<const PaintShape*>& on_top() const { return on_top_; }
@@ -49,13 +51,14 @@ class Decals {
   void draw_objects(const Square& square, const Layout& paint, std::vector<Decal>& on_top) const;
   void draw_spots(const Square& square, std::vector<Decal>& on_top) const;
   void cut_gaps();
+  void repaint(const RepaintOptions& options);
 
   Layout layout_;
   WearOptions options_;
   std::uint64_t seed_;
   double blotch_radius_m_;
   std::map<Square, Content> squares_;
-  std::vector<Decal> gaps_;
+  std::vector<Decal> lasting_;  ///< what was painted over or added, then gaps
   std::vector<const PaintShape*> holes_, on_top_;
 };
 

@@ -69,7 +69,7 @@ FloorRenderer::FloorRenderer(const Layout& layout, const features::CameraModel& 
       paint_(paint_of(sound(layout))),
       markers_(layout.start_markers.size() + layout.end_markers.size()),
       floor_colour_(layout.floor_colour),
-      decals_(layout, look.wear, seed),
+      decals_(layout, look.wear, seed, look.repaint),
       light_(camera, look.light, seed) {}
 
 void FloorRenderer::render(const Eigen::Isometry3d& X_WC, cv::Mat& bgr) {

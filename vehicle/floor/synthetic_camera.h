@@ -10,6 +10,7 @@
 
 #include "features/geometry/camera_model.h"
 #include "vehicle/floor/floor_renderer.h"
+#include "vehicle/floor/frame.h"
 #include "vehicle/floor/frame_link.h"
 #include "vehicle/floor/image_noise.h"
 #include "vehicle/floor/layout.h"
@@ -27,13 +28,6 @@ struct SyntheticCameraOptions {
   double noise_sigma = 0.0;  ///< of full scale, 0 … 0.1
   /// How far the camera is mounted off down_camera_R_BC(): angles about x_B and y_B, up to 0.2 in all.
   Eigen::Vector2d mount_tilt_rad = Eigen::Vector2d::Zero();
-};
-
-/// A delivered image.
-struct Frame {
-  Time stamp{0};           ///< mid-exposure
-  std::int64_t index = 0;  ///< counts exposures from 0
-  cv::Mat bgr;             ///< 8-bit BGR; the camera does not write to it while it is held
 };
 
 /// The down-looking camera at the body origin, mounted as down_camera_R_BC() but for its tilt, over a painted

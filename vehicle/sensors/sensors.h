@@ -1,24 +1,12 @@
 #pragma once
 
-#include <optional>
-
 #include "vehicle/attitude.h"
 #include "vehicle/body_state.h"
 #include "vehicle/sensors/gauss_markov.h"
 #include "vehicle/sensors/sensor_parameters.h"
+#include "vehicle/sensors/sensor_readings.h"
 
 namespace lineservo::vehicle {
-
-/// What the sensors say at one instant. Flow and range answer less often than the inertial unit.
-struct SensorReadings {
-  Time stamp{0};
-  Eigen::Vector3d gyro_B_rad_s = Eigen::Vector3d::Zero();
-  Eigen::Vector3d specific_force_B_m_s2 = Eigen::Vector3d::Zero();  ///< mean over the inertial period
-  double roll_rad = 0.0;
-  double pitch_rad = 0.0;
-  std::optional<Eigen::Vector2d> flow_v_H_m_s;
-  std::optional<double> range_m;  ///< along −z_B from the body origin to the floor
-};
 
 /// The inertial unit with its levelling, the optical flow and the range finder. Each source of noise has its
 /// own stream of the flight's seed, so that switching one off leaves the others as they were.

@@ -232,7 +232,7 @@ TEST(Flight, LandEndsOnTheGround) {
 /// The floor of the plan stretched: the node that the plan waits for does not come.
 TEST(Flight, AJunctionThatDoesNotComeEndsInALanding) {
   vehicle::Layout longer = small_floor();
-  longer.nodes[1].p_W.x() = longer.nodes[2].p_W.x() = 4.0;
+  longer.nodes[1].p_W.x() = longer.nodes[2].p_W.x() = 6.0;
   longer.edges[0] = testing::straight_edge(longer, 0, 1, 0.1);
   longer.edges[1] = testing::straight_edge(longer, 1, 2, 0.1);
   longer.edges[2] = testing::straight_edge(longer, 2, 3, 0.1);

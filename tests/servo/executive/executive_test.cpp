@@ -165,12 +165,12 @@ TEST(Executive, EventsAreToldOnce) {
   EXPECT_TRUE(bench.executive->take_events().empty());
 }
 
-TEST(Executive, StandingStillForEverDoesNotPassANode) {
+TEST(Executive, StandingStillForEverPassesNoNodeAndEnds) {
   Bench bench(VelocityCommand{});
   bench.until(Phase::follow);
   for (int k = 0; k < 300; ++k) bench.tick();
   EXPECT_EQ(bench.executive->step(), 0u);
-  EXPECT_EQ(bench.executive->abort_reason(), AbortReason::none);
+  EXPECT_EQ(bench.executive->abort_reason(), AbortReason::stuck);
 }
 
 }  // namespace

@@ -243,7 +243,10 @@ TEST(Next, TheEndOfTheMission) {
 TEST(Next, WhatCannotGoOnAborts) {
   using enum AbortReason;
   const auto far = [](double travelled_m) { return [=](Situation& s) { s.travelled_m = travelled_m; }; };
-  const auto early_node = [](Situation& s) { s.travelled_m = 1.0, s.node = kSeenCross; };
+  const auto puzzling_node = [](Situation& s) { s.node = kSeenCross, s.node_puzzles = true; };
+  const auto and_may_search = [](const Change& change) {
+    return [change](Situation& s) { change(s), s.may_search = true; };
+  };
   const auto no_node = [](Situation& s) { s.node_distance_m.reset(); };
   expect_transitions({
       {"no climb", Phase::take_off, Phase::aborted, after_s(15.1), take_off_failed},
@@ -251,13 +254,24 @@ TEST(Next, WhatCannotGoOnAborts) {
       {"no alignment", Phase::align, Phase::aborted, after_s(15.1), line_lost},
       {"line gone, aligning", Phase::align, Phase::aborted, unseen_for(1.1), line_lost},
       {"line gone, following", Phase::follow, Phase::aborted, unseen_for(1.1), line_lost},
+      {"line gone, to be searched for", Phase::follow, Phase::search, and_may_search(unseen_for(1.1))},
+      {"line found", Phase::search, Phase::follow, [](Situation& s) { s.settled_s = 0.4; }},
+      {"line not found", Phase::search, Phase::aborted, [](Situation& s) { s.search_is_over = true; },
+       line_lost},
       {"line gone for a moment", Phase::follow, Phase::follow, unseen_for(0.9)},
       {"line gone, climbing", Phase::take_off, Phase::take_off, unseen_for(5.0)},
       {"line gone, turning", Phase::turn, Phase::turn, unseen_for(5.0)},
-      {"another code", Phase::follow, Phase::aborted, seen(kSeenTee, kCross, true), node_unexpected},
-      {"the line should end", Phase::follow, Phase::aborted, seen({JunctionCode::cross, true}, kCross, true),
-       node_unexpected},
-      {"the code too early", Phase::follow, Phase::aborted, early_node, node_unexpected},
+      {"a node that nothing explains", Phase::follow, Phase::aborted, puzzling_node, node_unexpected},
+      {"no height", Phase::dock, Phase::aborted, [](Situation& s) { s.height_age_s = 1.1; }, height_unknown},
+      {"no velocity", Phase::turn, Phase::aborted, [](Situation& s) { s.velocity_age_s = 1.1; },
+       velocity_unknown},
+      {"no numbers", Phase::follow, Phase::aborted, [](Situation& s) { s.not_finite_s = 0.6; }, not_finite},
+      {"no time left", Phase::hover, Phase::aborted, [](Situation& s) { s.flight_s = 3585.1; }, out_of_time},
+      {"down by itself", Phase::follow, Phase::aborted, [](Situation& s) { s.on_ground = true; }, grounded},
+      {"a branch", Phase::follow, Phase::aborted, [](Situation& s) { s.line_off_s = 1.1; }, line_turns_off},
+      {"no way made", Phase::follow, Phase::aborted, [](Situation& s) { s.stuck_s = 20.1; }, stuck},
+      {"no hovering without a height", Phase::aborted, Phase::land,
+       [](Situation& s) { s.phase_s = 0.0, s.given_up = height_unknown; }},
       {"no code in time", Phase::follow, Phase::aborted, far(6.7), node_overdue},
       {"still in time", Phase::follow, Phase::follow, far(6.5)},
       {"the node is lost", Phase::dock, Phase::aborted, no_node, node_lost},
@@ -269,8 +283,8 @@ TEST(Next, WhatCannotGoOnAborts) {
 }
 
 TEST(Names, AreThereForAll) {
-  for (int k = 0; k <= static_cast<int>(Phase::finished); ++k) EXPECT_NE(name(static_cast<Phase>(k)), "?");
-  for (int k = 0; k <= static_cast<int>(AbortReason::turn_failed); ++k) {
+  for (int k = 0; k <= static_cast<int>(Phase::search); ++k) EXPECT_NE(name(static_cast<Phase>(k)), "?");
+  for (int k = 0; k <= static_cast<int>(AbortReason::grounded); ++k) {
     EXPECT_NE(name(static_cast<AbortReason>(k)), "?");
   }
 }

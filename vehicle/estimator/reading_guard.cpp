@@ -1,0 +1,67 @@
+#include "vehicle/estimator/reading_guard.h"
+
+#include <cmath>
+
+namespace lineservo::vehicle {
+namespace {
+
+// Full scale of such sensors, and the most that a body rate changes within an inertial period.
+constexpr double kMostRate_rad_s = 35.0, kMostForce_m_s2 = 160.0, kMostSpeed_m_s = 20.0, kMostRange_m = 40.0;
+constexpr double kMostRateStep_rad_s = 2.0;
+/// So many in a row are no outliers any more: the body itself does that.
+constexpr int kOutliers = 4;
+/// At 50 Hz: 0.2 s.
+constexpr int kFrozenAfter = 10;
+
+bool is_possible(const Eigen::Vector3d& v, double most) {
+  return v.allFinite() && v.cwiseAbs().maxCoeff() <= most;
+}
+
+}  // namespace
+
+SensorReadings ReadingGuard::checked(SensorReadings readings, double roll_rad, double pitch_rad) {
+  check_range(readings);  // looks at whether the body moves
+  check_gyro(readings);
+  check_force(readings);
+  if (!std::isfinite(readings.roll_rad) || !std::isfinite(readings.pitch_rad)) {
+    readings.roll_rad = roll_rad;
+    readings.pitch_rad = pitch_rad;
+  }
+  if (readings.flow_v_H_m_s && !(readings.flow_v_H_m_s->norm() <= kMostSpeed_m_s))
+    readings.flow_v_H_m_s.reset();
+  return readings;
+}
+
+void ReadingGuard::check_gyro(SensorReadings& readings) {
+  Eigen::Vector3d& gyro = readings.gyro_B_rad_s;
+  const bool possible = is_possible(gyro, kMostRate_rad_s);
+  const bool jumps = !is_possible(gyro - last_.gyro_B_rad_s, kMostRateStep_rad_s);
+  if (!possible || (jumps && gyro_refused_ < kOutliers)) {
+    ++gyro_refused_;
+    gyro = last_.gyro_B_rad_s;
+    return;
+  }
+  gyro_refused_ = 0;
+  last_.gyro_B_rad_s = gyro;
+}
+
+void ReadingGuard::check_force(SensorReadings& readings) {
+  Eigen::Vector3d& force = readings.specific_force_B_m_s2;
+  if (is_possible(force, kMostForce_m_s2)) {
+    last_.specific_force_B_m_s2 = force;
+  } else {
+    force = last_.specific_force_B_m_s2;
+  }
+}
+
+void ReadingGuard::check_range(SensorReadings& readings) {
+  if (!readings.range_m) return;
+  const bool repeated = readings.range_m == last_.range_m;
+  const bool moves = readings.specific_force_B_m_s2 != last_.specific_force_B_m_s2;
+  range_repeated_ = repeated && moves ? range_repeated_ + 1 : 0;
+  last_.range_m = readings.range_m;
+  const bool possible = *readings.range_m >= 0.0 && *readings.range_m <= kMostRange_m;
+  if (!possible || range_repeated_ >= kFrozenAfter) readings.range_m.reset();
+}
+
+}  // namespace lineservo::vehicle
