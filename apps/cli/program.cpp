@@ -14,6 +14,7 @@
 #include "apps/cli/detect_command.h"
 #include "apps/cli/evaluate_command.h"
 #include "apps/cli/fly_command.h"
+#include "apps/cli/import_track_command.h"
 #include "apps/cli/list_commands.h"
 #include "apps/cli/test_command.h"
 #include "apps/cli/train_command.h"
@@ -67,6 +68,7 @@ int run(int argc, char** argv) try {
   add_compare_command(app, exit_code);
   add_detect_command(app, exit_code);
   add_evaluate_command(app, exit_code);
+  add_import_track_command(app);
   add_list_commands(app);
   add_test_command(app);
   add_train_command(app);

@@ -41,7 +41,8 @@ TEST_P(OddFloors, EveryTargetIsReached) {
       SCOPED_TRACE(std::string(target) + ", seed " + std::to_string(seed));
       const FlownMission flown = fly(target, seed);
       EXPECT_EQ(flown.summary.outcome, "arrived");
-      if (flown.summary.rest) EXPECT_LT(flown.summary.rest->target_error_m, 0.03);
+      ASSERT_TRUE(flown.summary.rest);
+      EXPECT_LT(flown.summary.rest->target_error_m, 0.03);
       EXPECT_LT(flown.summary.track.settled_rmse_m, 0.03);
     }
   }
@@ -83,7 +84,7 @@ const OddFloor kOddFloors[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(All, OddFloors, ::testing::ValuesIn(kOddFloors),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& odd) { return std::string(odd.param.name); });
 
 TEST(OddFloor, TheYardThatShipsIsFlown) {
   FlightRequest request;
