@@ -11,7 +11,7 @@ namespace lineservo::servo {
 
 struct DockOptions {
   AdaptiveGain gain = {2.0, 0.9, 2.0};
-  double drift_time_constant_s = 0.4;
+  double drift_time_constant_s = 0.25;
   double drift_limit_m_s = 0.3;
 };
 

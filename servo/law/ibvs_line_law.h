@@ -11,7 +11,7 @@ namespace lineservo::servo {
 struct IbvsLineOptions {
   AdaptiveGain gain = {2.0, 0.9, 2.0};
   InteractionMatrix interaction = InteractionMatrix::current;
-  double drift_time_constant_s = 0.4;
+  double drift_time_constant_s = 0.25;
   double drift_limit_m_s = 0.3;
   double coast_s = 0.5;                 ///< how long a line that was lost is followed by odometry
   double view_margin = 0.6;             ///< |ρ| at which the forward speed is nil, normalised units

@@ -13,7 +13,8 @@ struct Gains {
   double attitude_per_s = 0.0;
   double attitude_lag_s = 0.0;  ///< of the tilt behind its set-point, as one lag
   double velocity_per_s = 0.0;
-  double velocity_integral_per_s2 = 0.0;
+  double acceleration_gain = 0.0;         ///< on what the acceleration is off by
+  double push_lag_s = 0.0;                ///< with which a push from outside is noticed
   double velocity_bandwidth_per_s = 0.0;  ///< of the answer to a set-point
   double climb_per_s = 0.0;
   double climb_integral_per_s2 = 0.0;

@@ -19,6 +19,7 @@ class ReferenceAxis {
   double step(double target_m_s);
   void reset(double velocity_m_s);
   double velocity_m_s() const { return velocity_m_s_; }
+  double acceleration_m_s2() const { return acceleration_m_s2_; }
   /// For a turn of the frame.
   void set_velocity(double velocity_m_s) { velocity_m_s_ = velocity_m_s; }
 

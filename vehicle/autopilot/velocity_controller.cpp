@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vehicle/attitude.h"
 #include "vehicle/autopilot/limits.h"
 
 namespace lineservo::vehicle {
 namespace {
 
-// The integrals make up for wind, drag and mass: more than this is a fault, not a disturbance.
+// The integral makes up for mass and worn motors: more than this is a fault, not a disturbance.
 constexpr double kGreatestIntegral_m_s2 = 3.0;
 
 ReferenceAxis::Answer horizontal_answer(const Gains& gains, const AutopilotOptions& options) {
@@ -28,26 +27,24 @@ HorizontalController::HorizontalController(const Gains& gains, const AutopilotOp
       period_s_(period_s),
       greatest_m_s2_(kGravity_m_s2 * std::tan(options.limits.max_tilt_rad)),
       x_(horizontal_answer(gains, options), period_s),
-      y_(horizontal_answer(gains, options), period_s) {}
+      y_(horizontal_answer(gains, options), period_s),
+      push_(gains, period_s) {}
 
-// a = a_c + ψ̇ × v_r + k_d v_r + k_p (v_r − v) + ∫ k_i (v_r − v): model, turning frame, drag, PI.
+// a = a_c + k_v (v_r − v) + k_a (a_r − a) + k_d v_r − d̂, where a_c is the model's command, to which belongs
+// ψ̇ × v_r in a frame that turns.
 Eigen::Vector2d HorizontalController::acceleration_H(const Eigen::Vector2d& v_set_H, const Estimate& estimate,
                                                      double yaw_rate_rad_s) {
-  turn_frame(-yaw_rate_rad_s * period_s_);
-  const Eigen::Vector2d a_model(x_.step(v_set_H.x()), y_.step(v_set_H.y()));
+  push_.update(estimate, yaw_rate_rad_s * period_s_);
+  const Eigen::Vector2d a_command(x_.step(v_set_H.x()), y_.step(v_set_H.y()));
+  const Eigen::Vector2d a_model(x_.acceleration_m_s2(), y_.acceleration_m_s2());
   const Eigen::Vector2d v_model(x_.velocity_m_s(), y_.velocity_m_s());
   const Eigen::Vector2d a_turning = yaw_rate_rad_s * Eigen::Vector2d(-v_model.y(), v_model.x());
-  const Eigen::Vector2d error = v_model - estimate.v_H_m_s.head<2>();
-  const Eigen::Vector2d wanted =
-      a_model + a_turning + gains_.drag_per_s * v_model + gains_.velocity_per_s * error + integral_H_m_s2_;
-  const bool saturated = wanted.norm() > greatest_m_s2_;
-  if (!saturated || integral_H_m_s2_.dot(error) < 0.0) integrate(error);
+  const Eigen::Vector2d v_error = v_model - estimate.v_H_m_s.head<2>();
+  const Eigen::Vector2d a_error = a_model + a_turning - push_.acceleration_H_m_s2(estimate);
+  const Eigen::Vector2d wanted = a_command + a_turning + gains_.velocity_per_s * v_error +
+                                 gains_.acceleration_gain * a_error + gains_.drag_per_s * v_model -
+                                 push_.led_push_H_m_s2();
   return shortened(wanted, greatest_m_s2_);
-}
-
-void HorizontalController::integrate(const Eigen::Vector2d& error_H) {
-  const double gain = period_s_ * gains_.velocity_integral_per_s2;
-  integral_H_m_s2_ = shortened(integral_H_m_s2_ + gain * error_H, kGreatestIntegral_m_s2);
 }
 
 void HorizontalController::start_from(const Eigen::Vector2d& v_H) {
@@ -57,12 +54,7 @@ void HorizontalController::start_from(const Eigen::Vector2d& v_H) {
 
 void HorizontalController::forget() {
   start_from(Eigen::Vector2d::Zero());
-  integral_H_m_s2_.setZero();
-}
-
-// The wind stays where it is while H turns.
-void HorizontalController::turn_frame(double yaw_step_rad) {
-  integral_H_m_s2_ = turned(integral_H_m_s2_, yaw_step_rad);
+  push_.forget();
 }
 
 VerticalController::VerticalController(const Gains& gains, const AutopilotOptions& options, double period_s)

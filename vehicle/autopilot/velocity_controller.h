@@ -2,12 +2,14 @@
 
 #include "vehicle/autopilot/gains.h"
 #include "vehicle/autopilot/options.h"
+#include "vehicle/autopilot/push_observer.h"
 #include "vehicle/autopilot/reference_axis.h"
 #include "vehicle/estimate.h"
 
 namespace lineservo::vehicle {
 
-/// Horizontal velocity in the heading frame → horizontal acceleration: reference model, PI, drag made up for.
+/// Horizontal velocity in the heading frame → horizontal acceleration: reference model, its velocity and
+/// acceleration held, drag and what pushes from outside made up for.
 class HorizontalController {
  public:
   HorizontalController(const Gains& gains, const AutopilotOptions& options, double period_s);
@@ -20,13 +22,10 @@ class HorizontalController {
   void forget();
 
  private:
-  void turn_frame(double yaw_step_rad);
-  void integrate(const Eigen::Vector2d& error_H);
-
   Gains gains_;
   double period_s_, greatest_m_s2_;
   ReferenceAxis x_, y_;
-  Eigen::Vector2d integral_H_m_s2_ = Eigen::Vector2d::Zero();
+  PushObserver push_;
 };
 
 /// Climb rate → vertical acceleration: reference model and PI.

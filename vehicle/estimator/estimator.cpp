@@ -38,7 +38,7 @@ ChainFilter velocity_filter(const SensorParameters& p) {
 
 ChainFilter height_filter(const SensorParameters& p, double start_height_m) {
   ChainFilter::Noise noise;
-  noise.drive << 1e-8, 4.0 * acceleration_density(p), 1e-5;
+  noise.drive << 1e-8, acceleration_density(p), 1e-6;
   noise.measurement_sigma = std::max(p.range_sigma_m, kLeastRangeSigma_m);
   const double start_bias = std::max(p.accelerometer_bias_m_s2, 0.01);
   return {kPeriod_s, noise, {start_height_m, 0.0, 0.0}, {noise.measurement_sigma, 0.01, start_bias}};

@@ -12,7 +12,7 @@ struct LoopParameters {
   int delay_steps = 15;         ///< of the frames that the law knows of
   int unknown_delay_steps = 0;  ///< that it does not know of, and that shifts the frames alone
   double gain_per_s = 2.0;
-  double drift_time_constant_s = 0.4;
+  double drift_time_constant_s = 0.25;
   double answer_rad_s = 8.04;  ///< ω of the velocity answer ω² / (s² + 2ζω s + ω²)
   double answer_damping = 0.85;
 };

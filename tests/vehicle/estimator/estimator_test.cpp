@@ -75,6 +75,18 @@ TEST(Estimator, WithoutTheFlowsBiasWhatIsLeftIsNoise) {
   EXPECT_GT(e.v_sigma, 0.004);
 }
 
+// Height, climb and a white acceleration of the density q, the height measured with the density r: the Kalman
+// filter has ω = (q/r)^¼ and the variances √2 ω r and √2 ω³ r. The bias that it learns adds a little.
+TEST(Estimator, ANoisyRangeIsFilteredAsWellAsTheAccelerometerAllows) {
+  SensorParameters p;
+  p.range_sigma_m = 0.02;
+  const Errors e = measured(p, 200, 15.0, hover);
+  const double r = 0.02 * 0.02 * seconds(kRangePeriod), q = 0.05 * 0.05 * kPeriod_s;
+  const double w = std::pow(q / r, 0.25);
+  EXPECT_NEAR(e.height_sigma, std::sqrt(std::sqrt(2.0) * w * r), 0.15 * e.height_sigma);
+  EXPECT_NEAR(e.climb_sigma, std::sqrt(std::sqrt(2.0) * w * w * w * r), 0.25 * e.climb_sigma);
+}
+
 TEST(Estimator, IdealSensorsGiveTheMotionBack) {
   const Errors e = measured(SensorParameters::ideal(), 1, 12.0, curve);
   EXPECT_LT(e.v_sigma, 1e-3);
