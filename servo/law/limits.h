@@ -9,7 +9,7 @@ struct CommandLimits {
   double horizontal_m_s = 1.5;
   double vertical_m_s = 0.5;
   double yaw_rate_rad_s = 1.2;
-  double acceleration_m_s2 = 4.0;  ///< change of the horizontal velocity
+  double acceleration_m_s2 = 8.0;  ///< change of the horizontal velocity; what the tilt allows is below
   double yaw_acceleration_rad_s2 = 4.0;
 };
 
