@@ -143,6 +143,23 @@ INSTANTIATE_TEST_SUITE_P(Topology, Mission,
                          ::testing::Combine(::testing::Values("a03", "a13", "a23", "a53"),
                                             ::testing::Values(1u, 2u)));
 
+// Mean wind and turbulence of `harsh`, at its speed; before the accelerometer was used none came to rest.
+class WindMission : public ::testing::TestWithParam<std::tuple<std::string, std::uint64_t>> {};
+
+TEST_P(WindMission, ArrivesOnTheNode) {
+  FlightRequest request = request_for(std::get<0>(GetParam()), "paper", std::get<1>(GetParam()));
+  for (const char* setting : {"speed_m_s=0.5", "camera.frame_rate_hz=30", "wind.mean_m_s=1.5",
+                              "wind.direction_spread_deg=180", "wind.turbulence_m_s=0.8"})
+    apply_override(request, setting);
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  EXPECT_LT(flown.summary.rest->target_error_m, 0.03);
+  for (const LegScore& leg : flown.summary.track.legs)
+    EXPECT_LT(leg.whole.rmse_m, 0.02) << leg.from << leg.to;
+}
+INSTANTIATE_TEST_SUITE_P(Harsh, WindMission,
+                         ::testing::Combine(::testing::Values("a03", "a53"), ::testing::Values(1u, 2u, 3u)));
+
 // The bars of the zones: 0.02 m over the whole leg, bends and arcs included.
 class ZoneMission : public ::testing::TestWithParam<std::string> {};
 
