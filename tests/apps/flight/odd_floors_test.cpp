@@ -43,7 +43,7 @@ TEST_P(OddFloors, EveryTargetIsReached) {
       EXPECT_EQ(flown.summary.outcome, "arrived");
       ASSERT_TRUE(flown.summary.rest);
       EXPECT_LT(flown.summary.rest->target_error_m, 0.03);
-      EXPECT_LT(flown.summary.track.settled_rmse_m, 0.03);
+      EXPECT_LT(flown.summary.track.all.rmse_m, 0.03);
     }
   }
 }
