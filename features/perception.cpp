@@ -11,8 +11,6 @@
 namespace lineservo::features {
 namespace {
 
-constexpr std::string_view kFastPath = "hsv";
-
 std::unique_ptr<LineDetector> detector_of(const std::string& line_method) {
   const LineMethod& method = find_line_method(line_method);
   return line_method == "stripe" ? nullptr : method.make();
@@ -29,15 +27,16 @@ SeenByAll seen_by_all(const FrameFeatures& features, const StripeFeatures& strip
 Perception::Perception(const CameraModel& camera, const PerceptionOptions& options)
     : options_(options),
       frame_size_(camera.width_px(), camera.height_px()),
-      segmenter_(options.segmenter),
+      segmenter_(ranges_of(options.path, options.segmenter)),
       geometry_(camera, options.segmenter.width_px, options.segmenter.height_px),
       stripes_(geometry_, options.stripe),
       line_detector_(detector_of(options.line_method)),
       pose_{camera, LevelView()},
-      law_features_(camera, geometry_, options.needs, {options.segmenter, options.path, options.target}),
+      law_features_(camera, geometry_, options.needs,
+                    {ranges_of(options.path, options.segmenter), options.path, options.target}),
       filter_(options.junction_window),
       tracker_(options.tracker),
-      path_segmenter_(options.path.name == kFastPath ? nullptr : make_segmenter(options.path)) {}
+      path_segmenter_(is_fast(options.path) ? nullptr : make_segmenter(options.path)) {}
 
 FrameFeatures Perception::observe(const cv::Mat& bgr, const FrameContext& context) {
   if (bgr.size() != frame_size_) {

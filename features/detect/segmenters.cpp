@@ -21,17 +21,30 @@ SteadyOptions beside_red_markers() {
 }  // namespace
 
 std::vector<std::string_view> segmenter_names() {
-  return {"hsv", "difference", "svm", "auto"};
+  return {"hsv", "any-light", "difference", "svm", "auto"};
+}
+
+bool is_fast(const SegmenterChoice& choice) {
+  return choice.name == "hsv" || choice.name == "any-light";
+}
+
+SegmenterOptions ranges_of(const SegmenterChoice& choice, const SegmenterOptions& given) {
+  if (choice.name != "any-light") return given;
+  SegmenterOptions ranges = any_light_ranges();
+  ranges.width_px = given.width_px;
+  ranges.height_px = given.height_px;
+  return ranges;
 }
 
 std::unique_ptr<Segmenter> make_segmenter(const SegmenterChoice& choice) {
   if (choice.name == "hsv") return std::make_unique<HsvSegmenter>(choice.color);
+  if (choice.name == "any-light") return std::make_unique<HsvSegmenter>(any_light_ranges());
   if (choice.name == "difference") return std::make_unique<DifferenceSegmenter>(choice.difference);
   if (choice.name == "svm")
     return std::make_unique<SvmSegmenter>(ColorSvm::from_text(std::string(choice.svm_model)));
   if (choice.name == "auto") return std::make_unique<SteadySegmenter>(beside_red_markers());
   throw std::invalid_argument("no segmenter '" + std::string(choice.name) +
-                              "'; there are: hsv, difference, svm, auto");
+                              "'; there are: hsv, any-light, difference, svm, auto");
 }
 
 }  // namespace lineservo::features

@@ -8,6 +8,7 @@
 #include "features/mask/difference_segmenter.h"
 #include "features/mask/line_color.h"
 #include "features/mask/segmenter.h"
+#include "features/mask/segmenter_options.h"
 
 namespace lineservo::features {
 
@@ -18,8 +19,14 @@ struct SegmenterChoice {
   DifferenceOptions difference = {};    ///< for difference
 };
 
-/// hsv (topology), difference (vtp; red), svm (grid) and auto (ours; any colour but the start marker's red).
+/// hsv (topology), any-light (ours; yellow by hue and chroma), difference (vtp; red), svm (grid) and auto
+/// (ours; any colour but the start marker's red).
 std::vector<std::string_view> segmenter_names();
+
+/// Whether bounds on colours are all of it, so that PathSegmenter does it.
+bool is_fast(const SegmenterChoice& choice);
+/// The bounds that it takes: those given, but for any-light, which has its own. The size stays.
+SegmenterOptions ranges_of(const SegmenterChoice& choice, const SegmenterOptions& given);
 
 /// For the frames of one camera, one after the other. Throws std::invalid_argument for another name, with the
 /// names that there are, for a model that is none, and for options out of bounds.

@@ -158,7 +158,7 @@ LINESERVO_AVX512_INLINE WordMasks classify_word(const GroupBytes& p, const Plain
   const __mmask64 any = _mm512_cmpge_epu8_mask(v, bounds.v_least) &
                         _mm512_cmpge_epu8_mask(chroma, _mm512_max_epu8(pale, bounds.chroma_least));
   const __m512i three_quarters = _mm512_avg_epu8(chroma, _mm512_avg_epu8(chroma, zero));
-  const __mmask64 path = _mm512_cmpge_epu8_mask(_mm512_subs_epu8(p.g, p.b), three_quarters) &
+  const __mmask64 path = any & _mm512_cmpge_epu8_mask(_mm512_subs_epu8(p.g, p.b), three_quarters) &
                          _mm512_cmpge_epu8_mask(v, bounds.v_min) &
                          _mm512_cmpge_epu8_mask(chroma, three_eighths_v) & bounds.plain_path;
   if ((any & ~path) == 0) return {path, 0};

@@ -20,6 +20,7 @@ void ColorClasses::admit(const HsvBounds& bounds, ColorClass color) {
   admit_interval(hue_, bounds.h_min, bounds.h_max, color);
   admit_interval(saturation_, bounds.s_min, bounds.s_max, color);
   admit_interval(value_, bounds.v_min, bounds.v_max, color);
+  admit_interval(chroma_, bounds.c_min, 255, color);
 }
 
 }  // namespace lineservo::features

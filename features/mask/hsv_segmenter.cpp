@@ -20,14 +20,17 @@ SegmenterOptions hsv_preset(LineColor color) {
   return options;
 }
 
+HsvSegmenter::HsvSegmenter(LineColor color)
+    : bounds_(hsv_preset(color)), with_marker_(color == LineColor::red) {}
+
 PackedMask HsvSegmenter::segment(const cv::Mat& image, cv::Size mask_size) {
   require_segmentable(image, mask_size);
-  SegmenterOptions options = hsv_preset(color_);
+  SegmenterOptions options = bounds_;
   options.width_px = mask_size.width;
   options.height_px = mask_size.height;
   PathSegmenter segmenter(options);
   const Segmentation& found = segmenter.segment(as_bgr(image));
-  return color_ == LineColor::red ? found.paint : found.path;
+  return with_marker_ ? found.paint : found.path;
 }
 
 }  // namespace lineservo::features

@@ -12,12 +12,15 @@ SegmenterOptions hsv_preset(LineColor color);
 /// Fixed HSV bounds, topology §2.1: resize, colour test, median, closing, by PathSegmenter.
 class HsvSegmenter : public Segmenter {
  public:
-  explicit HsvSegmenter(LineColor color = LineColor::yellow) : color_(color) {}
+  explicit HsvSegmenter(LineColor color = LineColor::yellow);
+  /// The path of bounds of one's own.
+  explicit HsvSegmenter(const SegmenterOptions& bounds) : bounds_(bounds) {}
 
   PackedMask segment(const cv::Mat& image, cv::Size mask_size) override;
 
  private:
-  LineColor color_;
+  SegmenterOptions bounds_;
+  bool with_marker_ = false;  ///< red is on both sides of hue 0
 };
 
 }  // namespace lineservo::features

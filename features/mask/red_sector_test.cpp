@@ -12,11 +12,16 @@ struct Curve {
   std::bitset<256> matters;
 };
 
-// Smallest chroma that reaches the saturation, for every value that is bright enough.
+// No chroma exceeds its value.
+int least_value(const HsvBounds& bounds) {
+  return std::max(bounds.v_min, bounds.c_min);
+}
+
+// Smallest chroma that reaches its own bound and the saturation, for every value that is bright enough.
 Curve chroma_bound(const HsvBounds& bounds) {
   Curve curve;
-  for (int v = bounds.v_min; v < 256; ++v) {
-    int chroma = 0;
+  for (int v = least_value(bounds); v < 256; ++v) {
+    int chroma = bounds.c_min;
     while (chroma <= v && saturation(chroma, v) < bounds.s_min) ++chroma;
     curve.values[static_cast<std::size_t>(v)] = chroma;
     curve.matters.set(static_cast<std::size_t>(v));
@@ -79,12 +84,13 @@ std::optional<RedSectorClass> make_class(const ColorClasses& classes, std::uint8
   const auto greener_curve = fit_byte_curve(greener->values, greener->matters);
   const auto bluer_curve = fit_byte_curve(bluer->values, bluer->matters);
   if (!chroma_curve || !greener_curve || !bluer_curve) return std::nullopt;
-  return RedSectorClass{static_cast<std::uint8_t>(bounds.v_min), *chroma_curve, *greener_curve, *bluer_curve,
-                        inside};
+  return RedSectorClass{static_cast<std::uint8_t>(least_value(bounds)), *chroma_curve, *greener_curve,
+                        *bluer_curve, inside};
 }
 
 bool same_but_for_hue(const HsvBounds& a, const HsvBounds& b) {
-  return a.s_min == b.s_min && a.s_max == b.s_max && a.v_min == b.v_min && a.v_max == b.v_max;
+  return a.s_min == b.s_min && a.s_max == b.s_max && a.v_min == b.v_min && a.v_max == b.v_max &&
+         a.c_min == b.c_min;
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ class Faults {
     require_interval(name + " hue", bounds.h_min, bounds.h_max, 180);
     require_interval(name + " saturation", bounds.s_min, bounds.s_max, 255);
     require_interval(name + " value", bounds.v_min, bounds.v_max, 255);
+    require_interval(name + " chroma", bounds.c_min, 255, 255);
   }
   const std::string& list() const { return list_; }
 
@@ -28,6 +29,14 @@ class Faults {
 };
 
 }  // namespace
+
+SegmenterOptions any_light_ranges() {
+  constexpr int kChroma = 28;  // floor: 4 σ of noise of 7 levels; yellow in 0.4 of the light has 92
+  SegmenterOptions options;
+  options.path = {18, 175, 0, 255, 0, 255, kChroma};
+  options.marker = {HsvBounds{0, 10, 0, 255, 0, 255, kChroma}, HsvBounds{170, 180, 0, 255, 0, 255, kChroma}};
+  return options;
+}
 
 void validate(const SegmenterOptions& options) {
   Faults faults;

@@ -11,7 +11,7 @@ namespace lineservo::features::vector_test {
 struct PlainLimits {
   int v_least = 0, chroma_least = 0;  ///< of a pixel of either class
   bool pale_is_floor = false;         ///< c < 5/16 v makes a pixel neither
-  bool plain_green_is_path = false;   ///< c ≥ 3/8 v and g − b ≥ 3/4 c make a bright pixel path alone
+  bool plain_green_is_path = false;  ///< c ≥ 3/8 v and g − b ≥ 3/4 c make such a bright pixel path alone
 };
 
 }  // namespace lineservo::features::vector_test
@@ -133,12 +133,13 @@ inline bool pale_is_floor(const RedSectorTest& test) {
   return true;
 }
 
-// Pure green-reds: whether c ≥ 3/8 v and g − b ≥ 3/4 c make any bright pixel path and none marker.
-inline bool plain_green_is_path(const RedSectorTest& test) {
+// Pure green-reds: whether c ≥ max(3/8 v, least) and g − b ≥ 3/4 c make any bright pixel path and none
+// marker.
+inline bool plain_green_is_path(const RedSectorTest& test, int least) {
   if (test.path.inside || !test.marker.inside) return false;
   for (int v = test.path.v_min; v < 256; ++v)
-    if (test.path.chroma_min.at(v) > three_eighths(v)) return false;
-  for (int c = three_eighths(test.path.v_min); c < 256; ++c)
+    if (test.path.chroma_min.at(v) > std::max(three_eighths(v), least)) return false;
+  for (int c = std::max(three_eighths(test.path.v_min), least); c < 256; ++c)
     if (c == 0 || std::max(test.path.greener.at(c), test.marker.greener.at(c)) >= three_quarters(c))
       return false;
   return true;
@@ -151,9 +152,9 @@ inline int least_chroma(const RedSectorClass& color) {
 }
 
 inline PlainLimits plain_limits(const RedSectorTest& test) {
-  return {std::min(test.path.v_min, test.marker.v_min),
-          std::min(least_chroma(test.path), least_chroma(test.marker)), pale_is_floor(test),
-          plain_green_is_path(test)};
+  const int least = std::min(least_chroma(test.path), least_chroma(test.marker));
+  return {std::min(test.path.v_min, test.marker.v_min), least, pale_is_floor(test),
+          plain_green_is_path(test, least)};
 }
 
 LINESERVO_AVX2_INLINE TestTables tables(const RedSectorTest& test, const PlainLimits& limits) {
@@ -182,7 +183,7 @@ LINESERVO_AVX2_INLINE PlainTest plain_test(__m256i v, __m256i chroma, __m256i gr
   const __m256i any = _mm256_and_si256(at_least(v, test.v_least), at_least(chroma, least));
   const __m256i far = at_least(greener, _mm256_avg_epu8(chroma, _mm256_avg_epu8(chroma, zero)));
   const __m256i bright = _mm256_and_si256(at_least(v, test.path.v_min), at_least(chroma, three_eighths_v));
-  return {any, _mm256_and_si256(_mm256_and_si256(bright, far), test.plain_path)};
+  return {any, _mm256_and_si256(_mm256_and_si256(bright, far), _mm256_and_si256(any, test.plain_path))};
 }
 
 struct GroupMasks {

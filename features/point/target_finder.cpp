@@ -43,7 +43,7 @@ TargetFinder::TargetFinder(const CameraModel& camera, const SegmenterOptions& ra
       size_(frame_size(camera, options.frame_width_px)),
       geometry_(camera, size_.width, size_.height),
       ranges_(resized(ranges, size_)),
-      segmenter_(path.name == "hsv" ? nullptr : make_segmenter(path)),
+      segmenter_(is_fast(path) ? nullptr : make_segmenter(path)),
       is_own_track_(path.name == "difference") {
   require(options);
 }

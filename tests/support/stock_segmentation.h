@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "features/mask/segmenter_options.h"
 
@@ -17,6 +19,7 @@ class StockSegmentation {
   }
   void classify() {
     cv::cvtColor(resized, hsv_, cv::COLOR_BGR2HSV);
+    if (looks_at_chroma()) measure_chroma();
     in_range(options_.path, colored);
     in_range(options_.marker[0], marker);
     in_range(options_.marker[1], marker_high_);
@@ -37,13 +40,27 @@ class StockSegmentation {
   int marker_pixels = 0;
 
  private:
+  bool looks_at_chroma() const {
+    return std::max({options_.path.c_min, options_.marker[0].c_min, options_.marker[1].c_min}) > 0;
+  }
+  // The largest channel less the smallest.
+  void measure_chroma() {
+    cv::split(resized, channels_);
+    cv::max(channels_[0], channels_[1], largest_);
+    cv::max(largest_, channels_[2], largest_);
+    cv::min(channels_[0], channels_[1], chroma_);
+    cv::min(chroma_, channels_[2], chroma_);
+    cv::subtract(largest_, chroma_, chroma_);
+  }
   void in_range(const features::HsvBounds& bounds, cv::Mat& mask) const {
     cv::inRange(hsv_, cv::Scalar(bounds.h_min, bounds.s_min, bounds.v_min),
                 cv::Scalar(bounds.h_max, bounds.s_max, bounds.v_max), mask);
+    if (bounds.c_min > 0) mask &= chroma_ >= bounds.c_min;
   }
 
   features::SegmenterOptions options_;
-  cv::Mat hsv_, marker_high_;
+  cv::Mat hsv_, marker_high_, largest_, chroma_;
+  std::vector<cv::Mat> channels_;
   cv::Mat kernel_ = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
 };
 

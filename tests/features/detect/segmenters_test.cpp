@@ -37,6 +37,23 @@ TEST(HsvSegmenter, EachPresetTakesItsColourAndNoOther) {
   }
 }
 
+TEST(AnyLight, TakesYellowInDeepShade) {
+  const auto segmenter = make_segmenter({.name = "any-light"});
+  EXPECT_EQ(segmenter->segment(stripe({30, 30, 30}, {8, 48, 55}), {96, 64}), columns(40, 64));
+  EXPECT_EQ(segmenter->segment(stripe({30, 30, 30}, {10, 10, 55}), {96, 64}), columns(0, 0));  // red
+}
+
+TEST(AnyLight, HasBoundsOfItsOwnAndTheSizeThatIsGiven) {
+  SegmenterOptions given;
+  given.width_px = 160;
+  const SegmenterOptions ranges = ranges_of({.name = "any-light"}, given);
+  EXPECT_EQ(ranges.width_px, 160);
+  EXPECT_EQ(ranges.path.c_min, any_light_ranges().path.c_min);
+  EXPECT_EQ(ranges_of({.name = "hsv"}, given).path.c_min, 0);
+  EXPECT_TRUE(is_fast({.name = "hsv"}) && is_fast({.name = "any-light"}));
+  EXPECT_FALSE(is_fast({.name = "auto"}));
+}
+
 TEST(HsvSegmenter, TakesGreyImages) {
   cv::Mat grey(64, 96, CV_8UC1, cv::Scalar(100));
   grey(cv::Rect(40, 0, 24, 64)).setTo(230);
@@ -65,7 +82,7 @@ TEST(DifferenceSegmenter, RefusesOptionsOutOfBounds) {
 }
 
 TEST(Segmenters, EachHasTheSizeThatWasAskedFor) {
-  for (const std::string_view name : {"hsv", "difference", "auto"}) {
+  for (const std::string_view name : {"hsv", "any-light", "difference", "auto"}) {
     const PackedMask mask =
         make_segmenter({.name = std::string(name)})->segment(stripe(kGrey, {20, 40, 200}), {48, 32});
     EXPECT_EQ(mask.width(), 48) << name;
@@ -74,7 +91,7 @@ TEST(Segmenters, EachHasTheSizeThatWasAskedFor) {
 }
 
 TEST(Segmenters, RefuseWhatTheyCannotTake) {
-  for (const std::string_view name : {"hsv", "difference", "auto"}) {
+  for (const std::string_view name : {"hsv", "any-light", "difference", "auto"}) {
     const auto segmenter = make_segmenter({.name = std::string(name)});
     EXPECT_THROW(segmenter->segment(cv::Mat(), {64, 64}), std::invalid_argument) << name;
     EXPECT_THROW(segmenter->segment(cv::Mat(64, 64, CV_32FC1), {64, 64}), std::invalid_argument) << name;

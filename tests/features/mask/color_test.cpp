@@ -26,16 +26,15 @@ cv::Mat colors_of(int blue) {
   return image;
 }
 
-SegmenterOptions unscaled() {
-  SegmenterOptions options;
+SegmenterOptions unscaled(SegmenterOptions options = {}) {
   options.width_px = options.height_px = kSide;
   return options;
 }
 
 // Calls check(blue, reference) with the stock classification of each of the 256 images.
 template <typename Check>
-void for_all_colors(Check check) {
-  StockSegmentation stock(unscaled());
+void for_all_colors(const SegmenterOptions& options, Check check) {
+  StockSegmentation stock(options);
   for (int blue = 0; blue < 256; ++blue) {
     const cv::Mat image = colors_of(blue);
     stock.resize(image);
@@ -44,7 +43,7 @@ void for_all_colors(Check check) {
   }
 }
 
-TEST(AllColors, HsvEqualsCvtColor) {
+TEST(Hsv, AllColorsAreThoseOfCvtColor) {
   cv::Mat hsv;
   for (int b = 0; b < 256; ++b) {
     cv::cvtColor(colors_of(b), hsv, cv::COLOR_BGR2HSV);
@@ -60,10 +59,14 @@ TEST(AllColors, HsvEqualsCvtColor) {
   }
 }
 
-TEST(AllColors, RedSectorTestEqualsInRange) {
-  const auto test = make_red_sector_test(unscaled());
+// The published bounds, and those on hue and chroma alone.
+class AllColors : public testing::TestWithParam<SegmenterOptions> {};
+INSTANTIATE_TEST_SUITE_P(Both, AllColors, testing::Values(unscaled(), unscaled(any_light_ranges())));
+
+TEST_P(AllColors, RedSectorTestEqualsInRange) {
+  const auto test = make_red_sector_test(GetParam());
   ASSERT_TRUE(test.has_value());
-  for_all_colors([&](int b, const cv::Mat&, const StockSegmentation& stock) {
+  for_all_colors(GetParam(), [&](int b, const cv::Mat&, const StockSegmentation& stock) {
     int differences = 0;
     for (int g = 0; g < kSide; ++g) {
       for (int r = 0; r < kSide; ++r) {
@@ -75,12 +78,12 @@ TEST(AllColors, RedSectorTestEqualsInRange) {
   });
 }
 
-TEST(AllColors, BothClassifiersEqualInRange) {
+TEST_P(AllColors, ClassifiersEqualInRange) {
   for (const Processor processor :
        {Processor::portable, std::min(Processor::avx2, best_processor()), best_processor()}) {
-    const auto classifier = make_classifier(unscaled(), {kSide, kSide}, processor);
+    const auto classifier = make_classifier(GetParam(), {kSide, kSide}, processor);
     PackedMask path(kSide, kSide), marker(kSide, kSide);
-    for_all_colors([&](int b, const cv::Mat& image, const StockSegmentation& stock) {
+    for_all_colors(GetParam(), [&](int b, const cv::Mat& image, const StockSegmentation& stock) {
       ASSERT_EQ(classifier->classify(image, path, marker), stock.marker_pixels) << "blue " << b;
       ASSERT_EQ(path, PackedMask::from_mat(stock.colored)) << "blue " << b;
       ASSERT_EQ(marker, PackedMask::from_mat(stock.marker)) << "blue " << b;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "features/junction/fpd.h"
 #include "tests/support/floor_scenes.h"
 #include "tests/support/stock_segmentation.h"
 
@@ -105,11 +106,46 @@ TEST_P(OnProcessor, EqualsStockForOtherColors) {
   SegmenterOptions strict;
   strict.path = {25, 176, 120, 255, 60, 255};
   strict.marker = {HsvBounds{0, 5, 30, 255, 20, 255}, HsvBounds{165, 180, 30, 255, 20, 255}};
-  for (const SegmenterOptions& options : {green, everything, nothing_saturated, narrow_yellow, strict}) {
+  SegmenterOptions saturated_chroma = strict;
+  saturated_chroma.path.c_min = 60;
+  for (const SegmenterOptions& options :
+       {green, everything, nothing_saturated, narrow_yellow, strict, any_light_ranges(), saturated_chroma}) {
     PathSegmenter segmenter(options, processor);
     SCOPED_TRACE(options.path.h_min);
     expect_same_as_stock(random_image({640, 480}, CV_8UC3, 5), segmenter);
     expect_same_as_stock(floor_scene({640, 480}, -30.0, 25.0), segmenter);
+  }
+}
+
+// Paint keeps its mask where 0.4 of the light is left, and where the glare of a lamp adds 180 levels of
+// white; the published bounds on V and S lose it there.
+TEST_P(OnProcessor, AnyLightKeepsThePaint) {
+  for (const auto& [factor, glare] :
+       {std::pair{1.0, 0.0}, {0.4, 0.0}, {1.3, 0.0}, {0.4, 180.0}, {1.0, 180.0}}) {
+    cv::Mat frame(480, 640, CV_8UC3, cv::Scalar::all(120.0 * factor + glare));
+    const auto lit = [factor = factor, glare = glare](double b, double g, double r) {
+      return cv::Scalar(b * factor + glare, g * factor + glare, r * factor + glare);
+    };
+    frame.colRange(160, 320).setTo(lit(0, 200, 230));
+    frame.colRange(480, 640).setTo(lit(40, 40, 220));
+    PathSegmenter segmenter(any_light_ranges(), processor), published({}, processor);
+    SCOPED_TRACE(std::to_string(factor) + " " + std::to_string(glare));
+    EXPECT_EQ(segmenter.segment(frame).path.count(), 100 * 400);
+    EXPECT_EQ(segmenter.segment(frame).marker_pixels, 100 * 400);
+    const bool is_plain = factor >= 1.0 && glare == 0.0;
+    EXPECT_EQ(published.segment(frame).path.count() == 100 * 400, is_plain);
+  }
+}
+
+TEST_P(OnProcessor, AnyLightLeavesNoisyAndDirtyFloorBare) {
+  for (const double grey : {30.0, 48.0, 120.0, 240.0}) {
+    cv::Mat frame(480, 640, CV_8UC3), noise(480, 640, CV_16SC3);
+    frame.setTo(cv::Scalar(grey - 6.0, grey - 2.0, grey + 4.0));  // brownish, as dirt
+    cv::RNG(3).fill(noise, cv::RNG::NORMAL, 0.0, 6.0);
+    cv::add(frame, noise, frame, cv::noArray(), CV_8UC3);
+    PathSegmenter segmenter(any_light_ranges(), processor);
+    EXPECT_EQ(segmenter.segment(frame).path.count(), 0) << grey;
+    EXPECT_LT(segmenter.segment(frame).marker_pixels, kStartMarkerLimit_px / 2) << grey;
   }
 }
 
@@ -188,6 +224,7 @@ TEST(PathSegmenter, NamesEveryBadOptionAtOnce) {
   options.width_px = 8;
   options.path.h_max = 181;
   options.marker[1].s_min = 256;
+  options.path.c_min = -1;
   try {
     PathSegmenter segmenter(options);
     FAIL() << "accepted";
@@ -196,6 +233,7 @@ TEST(PathSegmenter, NamesEveryBadOptionAtOnce) {
     EXPECT_NE(what.find("width must be 16 to 4096"), std::string::npos) << what;
     EXPECT_NE(what.find("path hue must hold 0 <= min <= max <= 180, got 18 to 181"), std::string::npos)
         << what;
+    EXPECT_NE(what.find("path chroma"), std::string::npos) << what;
     EXPECT_NE(what.find("marker saturation"), std::string::npos) << what;
   }
 }
