@@ -11,12 +11,22 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// How shaky the camera is: yaw and tilt in degrees, blur in pixels.
-struct Shake {
-  double yaw_deg, tilt_deg, blur_px;
+/// How shaky the camera is: yaw and tilt in degrees, blur in pixels; and the share of the paint that is worn
+/// off.
+struct Trial {
+  double yaw_deg, tilt_deg, blur_px, worn_share;
 };
-constexpr std::array<Shake, 8> kShakes = {
-    {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 0, 3}, {2, 1, 3}}};
+constexpr std::array<Trial, 10> kTrials = {{{0, 0, 0, 0},
+                                            {0.5, 0, 0, 0},
+                                            {1, 0, 0, 0},
+                                            {2, 0, 0, 0},
+                                            {4, 0, 0, 0},
+                                            {4, 2, 0, 0},
+                                            {0, 0, 3, 0},
+                                            {2, 1, 3, 0},
+                                            {0, 0, 0, 0.25},
+                                            {2, 1, 0, 0.25}}};
+constexpr double kWornGap_m = 0.1;
 constexpr double kAttitudeError_deg = 0.2;
 
 /// topology Tab. 2: raw accuracy for a03, a13, a23, a53 and their mean.
@@ -45,9 +55,9 @@ ordered_json to_json(const RecogniserScore& s) {
 
 std::string table_row(const JunctionCase& c, const RecogniserScore& s) {
   const JunctionStudyOptions& o = c.options;
-  std::string row =
-      fmt::format("{:<15} {:>4} {:>4} {:>4}  {:<7} {:7.2f}", c.layout, o.yaw_sigma_deg, o.tilt_sigma_deg,
-                  o.blur_px, s.method, 100.0 * share_right(s.raw_wrong, s.frames));
+  std::string row = fmt::format("{:<15} {:>4} {:>4} {:>4} {:>4}  {:<7} {:7.2f}", c.layout, o.yaw_sigma_deg,
+                                o.tilt_sigma_deg, o.blur_px, o.wear.worn_share, s.method,
+                                100.0 * share_right(s.raw_wrong, s.frames));
   for (const long wrong : s.smoothed_wrong)
     row += fmt::format(" {:6.2f}", 100.0 * share_right(wrong, s.frames));
   return row + fmt::format("   {:>2} of {} ({} false)  {:5.2f}  {:.3f}\n", s.events_right[2], s.events,
@@ -60,12 +70,14 @@ std::string table_row(const JunctionCase& c, const RecogniserScore& s) {
 std::vector<JunctionCase> junction_cases(std::uint64_t seed) {
   std::vector<JunctionCase> cases;
   for (const char* layout : {"warehouse", "tape-warehouse"}) {
-    for (const Shake& shake : kShakes) {
+    for (const Trial& trial : kTrials) {
       JunctionCase c{layout, {}, {}};
-      c.options.yaw_sigma_deg = shake.yaw_deg;
-      c.options.tilt_sigma_deg = shake.tilt_deg;
-      c.options.blur_px = shake.blur_px;
-      c.options.attitude_error_deg = shake.tilt_deg > 0.0 ? kAttitudeError_deg : 0.0;
+      c.options.yaw_sigma_deg = trial.yaw_deg;
+      c.options.tilt_sigma_deg = trial.tilt_deg;
+      c.options.blur_px = trial.blur_px;
+      c.options.wear.worn_share = trial.worn_share;
+      c.options.wear.gap_m = trial.worn_share > 0.0 ? kWornGap_m : 0.0;
+      c.options.attitude_error_deg = trial.tilt_deg > 0.0 ? kAttitudeError_deg : 0.0;
       c.options.seed = seed;
       cases.push_back(c);
     }
@@ -83,11 +95,12 @@ void run(std::vector<JunctionCase>& cases, const std::function<void(std::size_t,
 
 std::string junction_table(const std::vector<JunctionCase>& cases) {
   std::string text =
-      "Frames along a03, a13, a23, a53; yaw and tilt jitter (standard deviation, degrees), blur (px). Raw "
-      "accuracy and\n"
+      "Frames along a03, a13, a23, a53; yaw and tilt jitter (standard deviation, degrees), blur (px), share "
+      "of worn paint. Raw accuracy and\n"
       "smoothed by window in % of the frames; nodes told with the right code at window 5; ambiguous frames "
       "in %; ms a frame.\n"
-      "layout           yaw tilt blur  method      raw    w=1    w=3    w=5    w=9   nodes            ambig  "
+      "layout           yaw tilt blur worn  method      raw    w=1    w=3    w=5    w=9   nodes            "
+      "ambig  "
       "ms\n";
   for (const JunctionCase& c : cases) {
     for (const RecogniserScore& s : c.scores) text += table_row(c, s);
@@ -106,6 +119,7 @@ ordered_json junction_json(const std::vector<JunctionCase>& cases) {
                         {"yaw_sigma_deg", c.options.yaw_sigma_deg},
                         {"tilt_sigma_deg", c.options.tilt_sigma_deg},
                         {"blur_px", c.options.blur_px},
+                        {"worn_share", c.options.wear.worn_share},
                         {"seed", c.options.seed}};
     for (const RecogniserScore& s : c.scores) one["recognisers"].push_back(to_json(s));
     json["cases"].push_back(one);
@@ -115,13 +129,15 @@ ordered_json junction_json(const std::vector<JunctionCase>& cases) {
 
 std::string junction_csv(const std::vector<JunctionCase>& cases) {
   std::string csv =
-      "layout,yaw_sigma_deg,tilt_sigma_deg,blur_px,method,frames,accuracy,smoothed_1,smoothed_3,smoothed_5,"
+      "layout,yaw_sigma_deg,tilt_sigma_deg,blur_px,worn_share,method,frames,accuracy,smoothed_1,smoothed_3,"
+      "smoothed_5,"
       "smoothed_9,"
       "events,events_right,events_false,ambiguous_share\n";
   for (const JunctionCase& c : cases) {
     for (const RecogniserScore& s : c.scores) {
-      csv += fmt::format("{},{},{},{},{},{},{}", c.layout, c.options.yaw_sigma_deg, c.options.tilt_sigma_deg,
-                         c.options.blur_px, s.method, s.frames, share_right(s.raw_wrong, s.frames));
+      csv += fmt::format("{},{},{},{},{},{},{},{}", c.layout, c.options.yaw_sigma_deg,
+                         c.options.tilt_sigma_deg, c.options.blur_px, c.options.wear.worn_share, s.method,
+                         s.frames, share_right(s.raw_wrong, s.frames));
       for (const long wrong : s.smoothed_wrong) csv += fmt::format(",{}", share_right(wrong, s.frames));
       csv += fmt::format(",{},{},{},{}\n", s.events, s.events_right[2], s.events_false,
                          1.0 - share_right(s.ambiguous, s.frames));

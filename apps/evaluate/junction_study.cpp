@@ -163,7 +163,7 @@ class RouteStudy {
              std::vector<Recogniser>& recognisers)
       : options_(options),
         camera_(features::CameraParameters{}),
-        renderer_(layout, camera_),
+        renderer_(layout, camera_, {options.wear, {}}, options.seed),
         truth_(layout, camera_),
         noise_(options.noise_levels / 255.0, options.seed),
         random_(options.seed),

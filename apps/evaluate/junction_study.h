@@ -9,6 +9,7 @@
 #include "features/junction/junction_code.h"
 #include "features/perception.h"
 #include "vehicle/floor/layout.h"
+#include "vehicle/floor/wear_options.h"
 
 namespace lineservo::apps {
 
@@ -24,6 +25,7 @@ struct JunctionStudyOptions {
   double attitude_error_deg = 0.0;  ///< standard deviation of what perception is told, per axis
   double noise_levels = 2.0;        ///< of 255
   double blur_px = 0.0;             ///< standard deviation of a Gaussian
+  vehicle::WearOptions wear = {};
   std::uint64_t seed = 1;
 };
 
