@@ -66,8 +66,7 @@ class Gate : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-YAML::Node load(const std::filesystem::path& file) try {
-  const std::string text = read_text_file(file);
+YAML::Node load(const std::filesystem::path& file, const std::string& text) try {
   std::istringstream stream(text);
   Gate gate(file);
   YAML::Parser parser(stream);
@@ -114,7 +113,10 @@ void collect(const YamlReader& reader, const YAML::Node& node, const std::string
 
 }  // namespace
 
-YamlReader::YamlReader(const std::filesystem::path& file) : file_(file), root_(load(file)) {
+YamlReader::YamlReader(const std::filesystem::path& file) : YamlReader(file, read_text_file(file)) {}
+
+YamlReader::YamlReader(const std::filesystem::path& file, const std::string& text)
+    : file_(file), root_(load(file, text)) {
   if (!root_.IsMap()) throw InputError(file.string() + ": must be a map of keys to values");
   refuse_double_keys(*this, root_);
 }

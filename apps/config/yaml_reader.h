@@ -21,6 +21,8 @@ class YamlReader {
   /// Throws InputError when the file cannot be read, is not YAML, has anchors or aliases, a key twice or a
   /// second document, or is not a map.
   explicit YamlReader(const std::filesystem::path& file);
+  /// The same of a text that stands in the file.
+  YamlReader(const std::filesystem::path& file, const std::string& text);
 
   const YAML::Node& root() const { return root_; }
   const std::filesystem::path& file() const { return file_; }

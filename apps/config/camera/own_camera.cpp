@@ -1,12 +1,13 @@
-#include "apps/config/camera_file.h"
+#include "apps/config/camera/own_camera.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "apps/config/input_error.h"
-#include "apps/config/yaml_reader.h"
 
 namespace lineservo::apps {
 namespace {
+
+const std::vector<std::string> kKeys = {"width_px", "height_px", "focal_px", "fx_px", "fy_px", "cx_px",
+                                        "cy_px",    "k1",        "k2",       "p1",    "p2",    "k3"};
 
 int whole_number(const YamlReader& yaml, const std::string& key) {
   const double value = yaml.number(yaml.root(), key);
@@ -26,13 +27,14 @@ void read_focal(const YamlReader& yaml, features::CameraParameters& camera) {
 
 }  // namespace
 
-features::CameraParameters read_camera(const std::filesystem::path& file) {
-  const YamlReader yaml(file);
+bool is_own_camera(const YamlReader& yaml) {
+  return std::any_of(kKeys.begin(), kKeys.end(),
+                     [&yaml](const std::string& key) { return static_cast<bool>(yaml.root()[key]); });
+}
+
+features::CameraParameters read_own_camera(const YamlReader& yaml) {
   const YAML::Node& root = yaml.root();
-  yaml.allow(
-      root,
-      {"width_px", "height_px", "focal_px", "fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2", "k3"},
-      "a camera");
+  yaml.allow(root, kKeys, "a camera");
   features::CameraParameters camera;
   camera.width_px = whole_number(yaml, "width_px");
   camera.height_px = whole_number(yaml, "height_px");
@@ -42,11 +44,6 @@ features::CameraParameters read_camera(const std::filesystem::path& file) {
   const char* const lens[] = {"k1", "k2", "p1", "p2", "k3"};
   for (std::size_t k = 0; k < camera.distortion.size(); ++k)
     camera.distortion[k] = yaml.number(root, lens[k], 0.0);
-  try {
-    features::CameraModel{camera};
-  } catch (const std::invalid_argument& fault) {
-    throw InputError(file.string() + ": " + fault.what());
-  }
   return camera;
 }
 

@@ -1,4 +1,4 @@
-#include "apps/config/camera_file.h"
+#include "apps/config/camera/camera_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,12 +12,12 @@ namespace {
 
 using testing::HasSubstr;
 
-class CameraFile : public testing::Test {
+class OwnCamera : public testing::Test {
  protected:
   std::filesystem::path written(const std::string& text) {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
     const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / ("camera_" + test + ".yaml");
+        std::filesystem::path(testing::TempDir()) / ("own_camera_" + test + ".yaml");
     std::ofstream(file) << text;
     return file;
   }
@@ -31,7 +31,7 @@ class CameraFile : public testing::Test {
   }
 };
 
-TEST_F(CameraFile, OneFocalLengthAndTheMiddleByDefault) {
+TEST_F(OwnCamera, OneFocalLengthAndTheMiddleByDefault) {
   const auto camera = read_camera(written("width_px: 320\nheight_px: 200\nfocal_px: 250.5\n"));
   EXPECT_EQ(camera.width_px, 320);
   EXPECT_EQ(camera.height_px, 200);
@@ -42,7 +42,7 @@ TEST_F(CameraFile, OneFocalLengthAndTheMiddleByDefault) {
   EXPECT_EQ(camera.distortion, (std::array<double, 5>{}));
 }
 
-TEST_F(CameraFile, EverythingGiven) {
+TEST_F(OwnCamera, EverythingGiven) {
   const auto camera =
       read_camera(written("width_px: 320\nheight_px: 200\nfx_px: 250\nfy_px: 260\ncx_px: 150\n"
                           "cy_px: 90\nk1: -0.1\nk2: 0.01\np1: 0.001\np2: 0.002\nk3: 0.003\n"));
@@ -53,7 +53,7 @@ TEST_F(CameraFile, EverythingGiven) {
   EXPECT_EQ(camera.distortion, (std::array<double, 5>{-0.1, 0.01, 0.001, 0.002, 0.003}));
 }
 
-TEST_F(CameraFile, SaysWhatIsWrongAndWhere) {
+TEST_F(OwnCamera, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint("width_px: 320\nheight_px: 200\nfocus: 3\n"), HasSubstr(":3: unknown key 'focus'"));
   EXPECT_THAT(complaint("width_px: 320\nfocal_px: 250\n"), HasSubstr("'height_px' is missing"));
   EXPECT_THAT(complaint("width_px: 320.5\nheight_px: 200\nfocal_px: 250\n"), HasSubstr(":1: key 'width_px'"));
