@@ -10,6 +10,7 @@
 #include <exception>
 #include <new>
 
+#include "apps/cli/calibrate_command.h"
 #include "apps/cli/compare_command.h"
 #include "apps/cli/detect_command.h"
 #include "apps/cli/evaluate_command.h"
@@ -69,6 +70,7 @@ int run(int argc, char** argv) try {
   add_detect_command(app, exit_code);
   add_evaluate_command(app, exit_code);
   add_import_track_command(app);
+  add_calibrate_command(app);
   add_list_commands(app);
   add_test_command(app);
   add_train_command(app);

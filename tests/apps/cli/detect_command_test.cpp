@@ -28,6 +28,18 @@ TEST_F(DetectCommandTest, TellsOfAFileWhoseNameIsNotUtf8) {
   EXPECT_THAT(nlohmann::json::parse(ran.out)["image"].get<std::string>(), HasSubstr("p\xef\xbf\xbd.jpg"));
 }
 
+TEST_F(DetectCommandTest, ACameraOfAnotherSizeIsScaledOnlyWhenAsked) {
+  const std::string camera = temp_.write("c.yaml", "width_px: 2900\nheight_px: 960\nfocal_px: 1800\n");
+  const std::vector<std::string> plain = {"detect", LINESERVO_TEST_DATA "/pictures/flight.png", "--camera",
+                                          camera};
+  std::vector<std::string> scaled = plain;
+  scaled.push_back("--scale-camera");
+  EXPECT_EQ(run(plain).exit_code, 1);
+  EXPECT_THAT(run(plain).out, HasSubstr("the image is 1450×480 px, the camera 2900×960"));
+  EXPECT_EQ(run(scaled).exit_code, 0);
+  EXPECT_THAT(refusal({"detect", "a.png", "--scale-camera"}), HasSubstr("--scale-camera needs a --camera"));
+}
+
 TEST_F(DetectCommandTest, ABadImageIsOneLineOnItsOutputAlone) {
   const std::string whole = read_text(LINESERVO_TEST_DATA "/pictures/flight.png");
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{20}, whole.size() / 2}) {
