@@ -4,7 +4,7 @@
 
 namespace lineservo::vehicle {
 
-/// Simulated time since the start of the flight. Nothing in this folder reads a clock.
+/// Simulated time since the start of the flight. Nothing in this folder but grabber/ reads a clock.
 using Time = std::chrono::nanoseconds;
 
 constexpr double seconds(Time t) {
