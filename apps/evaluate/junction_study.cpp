@@ -156,6 +156,12 @@ class Recogniser {
 /// camera.
 constexpr double kSeen_m = 0.6;
 
+vehicle::FloorLook worn(const vehicle::WearOptions& wear) {
+  vehicle::FloorLook look;
+  look.wear = wear;
+  return look;
+}
+
 /// One route: its steps by the edges that lead to them.
 class RouteStudy {
  public:
@@ -163,7 +169,7 @@ class RouteStudy {
              std::vector<Recogniser>& recognisers)
       : options_(options),
         camera_(features::CameraParameters{}),
-        renderer_(layout, camera_, {options.wear, {}}, options.seed),
+        renderer_(layout, camera_, worn(options.wear), options.seed),
         truth_(layout, camera_),
         noise_(options.noise_levels / 255.0, options.seed),
         random_(options.seed),
