@@ -91,6 +91,7 @@ void Executive::observe(const Observation& observation) {
     if (is_left_behind) sighting.reset();  // still in view, but not the next one
     pilot_.see_node(observation, sighting, tracks_node(phase_));
   }
+  if (phase_ == Phase::align) pilot_.see_first_edge(observation);
   if (phase_ == Phase::align && pilot_.node_now(observation)) line_seen_ = observation.now;
   if (turns(phase_)) pilot_.see_turn(observation);
   if (phase_ == Phase::look) lookout_.observe(observation);
@@ -171,6 +172,7 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
   s.turn_left_rad = turns(phase_) ? pilot_.turn_left_rad(observation) : 0.0;
   s.rounds_corner = phase_ == Phase::follow && pilot_.rounds_corner(current_step(), observation);
   s.past_corner = phase_ == Phase::corner && pilot_.past_corner(observation);
+  s.looks_ahead = phase_ == Phase::align && pilot_.looks_ahead();
   s.servos_on_node = traits_.servos_on_node;
   s.on_ground = on_ground;
   assess_health(observation, s);

@@ -19,6 +19,8 @@ struct ExecutiveOptions {
   DockOptions dock;
   NodeTracker::Options tracker;
   CommandLimits limits;
+  double look_ahead_after_s = 3.0;  ///< without a sight of the first edge
+  double look_ahead_heights = 0.5;  ///< ahead of the marker: half of it stays in view
   int confirm_frames = 2;
   int doubt_frames = 3;  ///< more of them for a node that the plan does not expect
   double leaving_heights =

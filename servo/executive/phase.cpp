@@ -157,7 +157,8 @@ bool at_height(const Situation& s, const PhaseOptions& o) {
 
 bool aligned(const Situation& s, const PhaseOptions& o) {
   if (!s.line_angle_rad || std::abs(*s.line_angle_rad) > o.align_angle_rad) return false;
-  const std::optional<double>& off_m = s.node_distance_m ? s.node_distance_m : s.line_offset_m;
+  const bool by_marker = s.node_distance_m && !s.looks_ahead;
+  const std::optional<double>& off_m = by_marker ? s.node_distance_m : s.line_offset_m;
   return !s.servos_on_node || (off_m && std::abs(*off_m) < o.align_offset_m);
 }
 

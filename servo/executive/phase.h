@@ -95,6 +95,7 @@ struct Situation {
   std::optional<double> node_distance_m;  ///< of the node that is docked on, or of the start marker
   double speed_m_s = 0.0;
   double turn_left_rad = 0.0;
+  bool looks_ahead = false;     ///< of the start marker, for the first edge
   bool rounds_corner = false;   ///< the turn that comes can be flown without a stop
   bool past_corner = false;     ///< the arc lies behind
   bool servos_on_node = false;  ///< the law docks; others stop on the confirmed code

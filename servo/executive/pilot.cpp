@@ -15,6 +15,8 @@ VelocityCommand moving_as(const Observation& o) {
   return {o.v_H_m_s.x(), o.v_H_m_s.y(), o.v_H_m_s.z(), 0.0};
 }
 
+constexpr double kLiesAcross_rad = features::radians(45.0);
+
 /// A corner that is ended at rest is the same turn still.
 bool begins_turn(Phase from, Phase to) {
   return turns(to) && !(from == Phase::corner && to == Phase::turn);
@@ -41,6 +43,16 @@ bool Pilot::see_line(const Observation& observation) {
   return true;
 }
 
+void Pilot::see_first_edge(const Observation& observation) {
+  const bool lies_across = line_angle_rad_ && std::abs(*line_angle_rad_) > kLiesAcross_rad;
+  if (lies_across) {
+    line_angle_rad_.reset();
+    line_offset_m_.reset();
+  }
+  if (line_angle_rad_) first_edge_seen_ = observation.now;
+  looks_ahead_ |= seconds(observation.now - first_edge_seen_) > options_.look_ahead_after_s;
+}
+
 void Pilot::see_node(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m,
                      bool goes_by_it) {
   tracker_.observe(observation, sighting_m);
@@ -55,6 +67,10 @@ void Pilot::change(Phase from, const Orders& orders, const Observation& observat
     dock_law_.reset();
   if (to == Phase::relaunch) tracker_.reset();
   if (to == Phase::follow || to == Phase::align) law_->reset();
+  if (to == Phase::align) {
+    first_edge_seen_ = observation.now;
+    looks_ahead_ = false;
+  }
 }
 
 Turn Pilot::turn_in(const Orders& orders, const Observation& observation) const {
@@ -145,7 +161,10 @@ VelocityCommand Pilot::stay(const Observation& observation, double yaw_rate_rad_
 // line.
 Command Pilot::align(const Observation& observation) {
   const bool holds_marker = tracker_.node_now(observation) && (traits_.servos_on_node || !line_angle_rad_);
-  if (holds_marker) return hold_node(observation);
+  if (holds_marker) {
+    const double ahead_m = looks_ahead_ ? options_.look_ahead_heights * options_.phases.height_m : 0.0;
+    return hold_node(observation, {ahead_m, 0.0});
+  }
   if (traits_.servos_on_node) return follow_at(observation, 0.0, nullptr);
   return stay(observation, turn_rate(-line_angle_rad_.value_or(0.0), options_.turn));
 }
@@ -192,10 +211,11 @@ std::optional<double> Pilot::stop_ahead_m(const Orders& orders, const Observatio
   return after(since_capture(observation), end_m).x();
 }
 
-VelocityCommand Pilot::hold_node(const Observation& observation) {
+VelocityCommand Pilot::hold_node(const Observation& observation, const Eigen::Vector2d& from_it_H_m) {
   const auto node = tracker_.node_now(observation);
   if (!node) return stay(observation);
-  VelocityCommand c = dock_law_.hold(observation, {*node, line_angle_rad_, 0.0, options_.phases.height_m});
+  const Eigen::Vector2d place_m = *node + from_it_H_m;
+  VelocityCommand c = dock_law_.hold(observation, {place_m, line_angle_rad_, 0.0, options_.phases.height_m});
   CommandLimits limits = options_.limits;
   limits.horizontal_m_s = std::max(options_.speed_m_s, options_.approach.speed_m_s);
   return saturate(c, limits);

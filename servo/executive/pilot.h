@@ -31,6 +31,9 @@ class Pilot {
   /// Takes in where the node was in the frame, if it was; `goes_by_it`: the phase is about this node.
   void see_node(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m,
                 bool goes_by_it);
+  /// The vehicle stands facing its first edge: a line across the heading is another. When the edge stays
+  /// unseen, because what the marker leaves of it is worn, the vehicle goes a little ahead of the marker.
+  void see_first_edge(const Observation& observation);
   /// In a turn the next edge's line counts, where the frame shows it.
   void see_turn(const Observation& observation) { line_angle_rad_ = turn_.correct(observation); }
   void forget_node() { tracker_.reset(); }
@@ -45,6 +48,7 @@ class Pilot {
 
   Command fly(const Orders& orders, const Observation& observation, double dt_s);
 
+  bool looks_ahead() const { return looks_ahead_; }
   const std::optional<double>& line_angle_rad() const { return line_angle_rad_; }
   const std::optional<double>& line_offset_m() const { return line_offset_m_; }
   std::optional<Eigen::Vector2d> node_now(const Observation& observation) const {
@@ -80,7 +84,8 @@ class Pilot {
   /// `step`: whose edge is followed; none: a straight one.
   Command follow_at(const Observation& observation, double speed_m_s, const PlanStep* step);
   double heading_hold_rad_s() const;
-  VelocityCommand hold_node(const Observation& observation);
+  VelocityCommand hold_node(const Observation& observation,
+                            const Eigen::Vector2d& from_it_H_m = Eigen::Vector2d::Zero());
   Command hover(const Observation& observation);
   Command land(const Observation& observation);
   VelocityCommand relaunch(const Observation& observation);
@@ -104,6 +109,8 @@ class Pilot {
   std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
   std::optional<LastLine> last_line_;
   Search search_;
+  Time first_edge_seen_{0};
+  bool looks_ahead_ = false;  ///< ahead of the marker for the first edge
   Turn turn_;
   CornerArc arc_;  ///< of the corner that is being flown
   VelocityCommand last_command_;
