@@ -23,10 +23,8 @@ class FolderSource : public FrameSource {
   SourceFormat format() const override { return format_; }
   std::optional<SourceFrame> next() override {
     if (static_cast<std::size_t>(index_) == files_.size()) return std::nullopt;
-    SourceFrame frame;
-    frame.bgr = read(files_[static_cast<std::size_t>(index_)]);
-    frame.index = index_++;
-    frame.stamp = from_seconds(static_cast<double>(frame.index) / rate_hz_);
+    SourceFrame frame = frame_of_file(read(files_[static_cast<std::size_t>(index_)]), index_, rate_hz_);
+    ++index_;
     return frame;
   }
 

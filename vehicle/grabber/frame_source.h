@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "vehicle/time.h"
 
@@ -22,6 +23,11 @@ struct SourceFrame {
   Time stamp{0};
   cv::Mat bgr;  ///< CV_8UC3, the caller's own
 };
+
+/// A frame of a file: its stamp is its index by the rate.
+inline SourceFrame frame_of_file(cv::Mat bgr, std::int64_t index, double rate_hz) {
+  return {index, from_seconds(static_cast<double>(index) / rate_hz), std::move(bgr)};
+}
 
 /// A source that is not there, cannot be read, or breaks off: one line that says what and where. The frames
 /// before it are good.

@@ -29,10 +29,8 @@ class SequenceSource : public FrameSource {
     if (numbers_[static_cast<std::size_t>(index_)] != number)
       throw GrabberError(
           fmt::format("{}: number {} is missing, the sequence goes on later", pattern_, number));
-    SourceFrame frame;
-    frame.bgr = read(number);
-    frame.index = index_++;
-    frame.stamp = from_seconds(static_cast<double>(frame.index) / rate_hz_);
+    SourceFrame frame = frame_of_file(read(number), index_, rate_hz_);
+    ++index_;
     return frame;
   }
 

@@ -27,10 +27,8 @@ class VideoSource : public FrameSource {
   std::optional<SourceFrame> next() override {
     if (reader_.end()) return std::nullopt;
     acquire();
-    SourceFrame frame;
-    frame.bgr = bgr_of(image_);
-    frame.index = index_++;
-    frame.stamp = from_seconds(static_cast<double>(frame.index) / rate_hz_);
+    SourceFrame frame = frame_of_file(bgr_of(image_), index_, rate_hz_);
+    ++index_;
     return frame;
   }
 

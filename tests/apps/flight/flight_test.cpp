@@ -144,6 +144,14 @@ INSTANTIATE_TEST_SUITE_P(Topology, Mission,
                                             ::testing::Values(1u, 2u)));
 
 // Mean wind and turbulence of `harsh`, at its speed; before the accelerometer was used none came to rest.
+// What the start disc leaves of the first edge is worn: the line across was taken for it.
+TEST(Flight, FindsAFirstEdgeThatIsWornAtTheStart) {
+  FlightRequest request = request_for("a03", "harsh", 9103);
+  request.layout = "tape-warehouse";
+  const Flown flown = fly(request);
+  EXPECT_EQ(flown.summary.outcome, "arrived") << story(flown);
+}
+
 class WindMission : public ::testing::TestWithParam<std::tuple<std::string, std::uint64_t>> {};
 
 TEST_P(WindMission, ArrivesOnTheNode) {

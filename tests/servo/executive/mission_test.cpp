@@ -7,8 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "servo/executive/executive.h"
-#include "tests/servo/test_mission.h"
+#include "tests/servo/executive/mission_checks.h"
 
 namespace lineservo::servo {
 namespace {
@@ -16,57 +15,18 @@ namespace {
 using features::FrameFeatures;
 using features::kPi;
 using features::radians;
+using testing::distance_m;
 using ::testing::ElementsAre;
+using testing::expect_arrival;
+using testing::expect_smooth;
 using testing::Logbook;
 using testing::Mission;
+using testing::mission_to;
 using testing::MissionTick;
+using testing::plan_to;
 using testing::Pose;
 using testing::TestFloor;
 using testing::TestVehicle;
-
-Plan plan_to(const TestFloor& floor, const std::string& target) {
-  const Topology topology = floor.topology();
-  return compile(topology, find_target(topology, target), target);
-}
-
-/// A mission over a floor, from a start that is as far off as data/README.md allows.
-Mission mission_to(const TestFloor& floor, const std::string& target, double speed_m_s = 0.3) {
-  const Plan plan = plan_to(floor, target);
-  Pose start{floor.at(floor.names().front()), plan.start_heading_rad + radians(5.0), 0.0};
-  start.p_W += Eigen::Vector2d(-0.07, 0.07);
-  Mission mission(floor, plan, start);
-  mission.options.speed_m_s = speed_m_s;
-  return mission;
-}
-
-double distance_m(const Logbook& log, const Eigen::Vector2d& p_W) {
-  return (log.pose.p_W - p_W).norm();
-}
-
-/// What holds in every flight: finite commands that change no faster than the limits allow.
-void expect_smooth(const Logbook& log, const CommandLimits& limits = {}) {
-  constexpr double kSlack = 1e-9;
-  for (std::size_t k = 1; k < log.ticks.size(); ++k) {
-    EXPECT_TRUE(is_finite(log.ticks[k].command));
-    const auto* from = std::get_if<VelocityCommand>(&log.ticks[k - 1].command);
-    const auto* to = std::get_if<VelocityCommand>(&log.ticks[k].command);
-    if (!from || !to) continue;
-    const double dt_s = log.ticks[k].t_s - log.ticks[k - 1].t_s;
-    const double horizontal = std::hypot(to->forward_m_s - from->forward_m_s, to->left_m_s - from->left_m_s);
-    ASSERT_LE(horizontal, limits.acceleration_m_s2 * dt_s + kSlack) << "at " << log.ticks[k].t_s << " s";
-    ASSERT_LE(std::abs(to->up_m_s - from->up_m_s), limits.acceleration_m_s2 * dt_s + kSlack);
-    ASSERT_LE(std::abs(to->yaw_rate_rad_s - from->yaw_rate_rad_s),
-              limits.yaw_acceleration_rad_s2 * dt_s + kSlack);
-    ASSERT_LE(std::hypot(to->forward_m_s, to->left_m_s), limits.horizontal_m_s + kSlack);
-  }
-}
-
-void expect_arrival(const Logbook& log, const Eigen::Vector2d& node_W, double bound_m) {
-  EXPECT_EQ(log.end, Phase::finished);
-  EXPECT_EQ(log.reason, AbortReason::none);
-  EXPECT_LT(distance_m(log, node_W), bound_m);
-  expect_smooth(log);
-}
 
 TEST(Mission, A13PassesThePhasesInOrder) {
   const TestFloor floor = testing::warehouse_floor();
@@ -310,118 +270,6 @@ TEST(Mission, AtTheEndItLandsIfAskedTo) {
   EXPECT_TRUE(std::holds_alternative<LandCommand>(log.ticks.back().command));
   EXPECT_EQ(log.pose.height_m, 0.0);
   EXPECT_LT(distance_m(log, floor.at("a01")), 0.005);
-}
-
-/// A mission that has to be broken off: hover, then land.
-void expect_aborted(const Logbook& log, AbortReason reason) {
-  EXPECT_EQ(log.reason, reason) << name(log.reason);
-  EXPECT_EQ(log.end, Phase::finished);
-  EXPECT_EQ(log.pose.height_m, 0.0);
-  ASSERT_GE(log.phases.size(), 3u);
-  EXPECT_THAT(log.phases, ::testing::Contains("aborted: " + std::string(name(reason))));
-  EXPECT_EQ(log.phases[log.phases.size() - 2], "land");
-  expect_smooth(log);
-}
-
-TEST(Mission, AMissedNodeIsMadeUpForByTheCodesThatFollow) {
-  const TestFloor planned = testing::warehouse_floor();
-  Mission mission = mission_to(planned, "a13");
-  mission.floor.erase("a10", "a11");  // where the turn should be there is plain line
-  const Logbook log = fly(mission);
-  expect_arrival(log, planned.at("a13"), 0.01);
-  EXPECT_THAT(log.nodes, ::testing::Contains("J9: turn at a20"));
-}
-
-TEST(Mission, ACodeThatDoesNotComeAtAllAborts) {
-  const TestFloor planned = testing::warehouse_floor();
-  Mission mission = mission_to(planned, "a13");
-  for (const auto& [from, to] : {std::pair{"a10", "a11"}, {"a20", "a21"}, {"a30", "a31"}, {"a40", "a41"}})
-    mission.floor.erase(from, to);
-  const Logbook log = fly(mission);
-  expect_aborted(log, AbortReason::node_overdue);
-  EXPECT_GT(log.pose.p_W.x(),
-            planned.at("a10").x() + 0.2 * 3.6);  // not before the length's tolerance is used up
-  EXPECT_LT(log.pose.p_W.x(), planned.at("a40").x() - 1.0);
-}
-
-TEST(Mission, AnotherCodeThanExpectedIsHeldAgainstThoseBeforeAndAfter) {
-  Mission mission = mission_to(testing::warehouse_floor(), "a53");
-  mission.floor.add("extra", {0.6 + 7.2, -1.4});
-  mission.floor.join("a20", "extra");  // a cross where the plan has a T
-  expect_arrival(fly(mission), mission.floor.at("a53"), 0.01);
-}
-
-TEST(Mission, ANodeTooEarlyIsNone) {
-  Mission mission = mission_to(testing::warehouse_floor(), "a13");
-  mission.floor.add("middle", {1.8, 0.6});
-  mission.floor.add("up", {1.8, 2.0});
-  mission.floor.erase("a00", "a10");
-  mission.floor.join("a00", "middle");
-  mission.floor.join("middle", "a10");
-  mission.floor.join("middle", "up");  // the right code, at a third of the way
-  expect_arrival(fly(mission), mission.floor.at("a13"), 0.01);
-}
-
-TEST(Mission, ALineThatIsGoneAborts) {
-  Mission mission = mission_to(testing::warehouse_floor(), "a13");
-  mission.spoil = [](double, const Pose& pose, FrameFeatures& frame) {
-    if (pose.p_W.x() > 2.0) frame = {};
-  };
-  const Logbook log = fly(mission);
-  expect_aborted(log, AbortReason::line_lost);
-  EXPECT_LT(log.pose.p_W.x(), 2.0 + 0.3 * 1.1);  // coasts for half a second at 0.3 m/s, no further
-}
-
-TEST(Mission, ALineLostForAMomentIsNoAbort) {
-  const TestFloor floor = testing::warehouse_floor();
-  Mission mission = mission_to(floor, "a13");
-  mission.spoil = [](double, const Pose& pose, FrameFeatures& frame) {
-    if (pose.p_W.x() > 2.0 && pose.p_W.x() < 2.09) frame = {};  // 0.3 s
-  };
-  expect_arrival(fly(mission), floor.at("a13"), 0.005);
-}
-
-TEST(Mission, WithoutALineItNeverLeavesTheStart) {
-  Mission mission = mission_to(testing::warehouse_floor(), "a13");
-  mission.spoil = [](double, const Pose&, FrameFeatures& frame) { frame = {}; };
-  const Logbook log = fly(mission);
-  expect_aborted(log, AbortReason::line_lost);
-  EXPECT_LT(distance_m(log, mission.start.p_W), 1e-9);
-}
-
-TEST(Mission, ANodeThatIsLostWhileDockingAborts) {
-  Mission mission = mission_to(testing::warehouse_floor(), "a13");
-  mission.spoil = [](double, const Pose& pose, FrameFeatures& frame) {
-    if (pose.p_W.x() > 4.12) frame = {};
-  };
-  const Logbook log = fly(mission);
-  EXPECT_NE(log.reason, AbortReason::none);
-  EXPECT_EQ(log.pose.height_m, 0.0);
-}
-
-TEST(Mission, WorkWithoutFiniteFeaturesIsNeverPassedOn) {
-  // Frames full of NaN now and then, in every phase: all commands are finite, and the mission arrives.
-  const TestFloor floor = testing::warehouse_floor();
-  for (const char* controller : {"ibvs", "pid"}) {
-    SCOPED_TRACE(controller);
-    Mission mission = mission_to(floor, "a13");
-    mission.controller = controller;
-    if (mission.controller == "pid")
-      mission.start = {floor.at("a00"), 0.0, 0.0}, mission.options.speed_m_s = 0.1;
-    int frames = 0;
-    mission.spoil = [&](double, const Pose&, FrameFeatures& frame) {
-      constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-      if (++frames % 7 != 0) return;
-      for (features::LineFeature& line : frame.lines) line.rho = line.theta_rad = kNaN;
-      if (frame.junction) frame.junction->centre = {kNaN, kNaN};
-      if (frame.centroid_px) frame.centroid_px->x = kNaN;
-    };
-    const Logbook log = fly(mission);
-    for (const MissionTick& tick : log.ticks) ASSERT_TRUE(is_finite(tick.command)) << tick.t_s;
-    EXPECT_EQ(log.end, Phase::finished);
-    EXPECT_EQ(log.reason, AbortReason::none) << name(log.reason);
-    EXPECT_LT(distance_m(log, floor.at("a13")), 0.25);
-  }
 }
 
 TEST(Mission, TheSameMissionTwiceIsTheSameBitForBit) {
