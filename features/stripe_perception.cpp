@@ -12,6 +12,18 @@ namespace {
 
 constexpr double kSameWay_rad = radians(10.0);
 constexpr double kAhead_rad = radians(60.0);  // beyond, a corner is told by the line's end
+constexpr double kOnCourse = 0.05;  // a junction of the stripe lies so near to its centreline
+
+// Half of what the stripes that cross the first one at a place take up of it.
+double half_node_along(const std::vector<Stripe>& stripes, const Eigen::Vector2d& centre_L) {
+  double half = 0.0;
+  for (const Stripe& stripe : stripes) {
+    const double sine = std::abs(std::sin(stripe.course.theta_rad - stripes.front().course.theta_rad));
+    const bool crosses = std::abs(StripeAxes(stripe.course).across(centre_L)) < kOnCourse && sine > 0.3;
+    if (crosses) half = std::max(half, 0.5 * stripe.course.width / sine);
+  }
+  return half;
+}
 
 }  // namespace
 
@@ -49,7 +61,7 @@ const StripeFeatures& StripePerception::observe(const MaskView& mask, const Leve
   features_.line_ends_ahead = ends_ahead(level_mask, junction);
   features_.line_end.reset();
   if (!stripes_.empty() && !stripes_.front().end.leaves_view &&
-      stripes_.front().end.bare >= options_.junction_end && !goes_on(junction, kSameWay_rad))
+      stripes_.front().end.bare >= options_.possible_end && !goes_on(junction, kSameWay_rad))
     features_.line_end = stripes_.front().feature.end;
   return features_;
 }
@@ -78,17 +90,33 @@ bool StripePerception::goes_on(const std::optional<StripeJunction>& junction, do
 
 bool StripePerception::ends_ahead(const LevelMask& mask,
                                   const std::optional<StripeJunction>& junction) const {
-  if (stripes_.empty() || stripes_.front().end.leaves_view) return false;
+  if (stripes_.empty()) return false;
   const Stripe& followed = stripes_.front();
   if (goes_on(junction, kAhead_rad)) return false;
   if (followed.end.bare >= options_.certain_end)
     return junction || !paint_bends_away(mask, followed.course, followed.end.along);
-  if (!junction || followed.end.bare < options_.junction_end) return false;
-  const Eigen::Vector2d forward = followed.course.forward();
-  const double heading_rad = std::atan2(-forward.x(), -forward.y());
-  return std::none_of(junction->arms.begin(), junction->arms.end(), [heading_rad](const JunctionArm& arm) {
-    return std::abs(wrap_angle(arm.feature.angle_rad - heading_rad)) < radians(10.0);
-  });
+  return junction && stops_at(mask, junction->feature);
+}
+
+// Worn paint is bare in places as well, even next to a node: so the whole width counts, over some length past
+// the node, and a spot of paint there is forgiven.
+bool StripePerception::stops_at(const LevelMask& mask, const JunctionFeature& junction) const {
+  constexpr double kStep = 0.02, kSpots = 0.12, kBeyondNode = 0.02;
+  const StripeAxes axes(stripes_.front().course);
+  const double half_node = half_node_along(stripes_, junction.centre.vector()) + kBeyondNode;
+  if (std::abs(axes.across(junction.centre.vector())) > kOnCourse) return false;
+  const double needed = std::clamp(options_.clear_end - half_node, options_.junction_end, 0.2);
+  const double from = axes.along(junction.centre.vector()) + half_node;
+  double seen = 0.0;
+  int in_view = 0, painted = 0;
+  for (double gone = 0.5 * kStep; gone < options_.certain_end; gone += kStep) {
+    const CrossSection section = cross_section(mask, axes, from + gone);
+    if (section.is_out_of_view()) break;
+    seen += kStep;
+    in_view += section.in_view;
+    painted += section.painted;
+  }
+  return seen >= needed && painted <= kSpots * in_view;
 }
 
 }  // namespace lineservo::features

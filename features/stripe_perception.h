@@ -19,8 +19,10 @@ struct StripePerceptionOptions {
   BendOptions bend = {};
   JunctionOptions junction = {};
   ArmVisibility visibility = {};
-  double certain_end = 0.25;   ///< bare floor past the end of a stripe that shows, by itself, that it stops
-  double junction_end = 0.04;  ///< the same where a junction explains the end
+  double certain_end = 0.45;   ///< bare floor past the end of a stripe that shows, by itself, that it stops
+  double junction_end = 0.12;  ///< bare floor beyond a node that shows that the line stops there, at least
+  double clear_end = 0.5;      ///< from the node's centre: up to here it is looked for where there is room
+  double possible_end = 0.04;  ///< the same where it may be worn paint
 };
 
 /// What the stripes of one frame say.
@@ -49,6 +51,7 @@ class StripePerception {
   const std::vector<BorderPoint>& border_points() const { return points_; }
 
  private:
+  bool stops_at(const LevelMask& mask, const JunctionFeature& junction) const;
   bool ends_ahead(const LevelMask& mask, const std::optional<StripeJunction>& junction) const;
   bool goes_on(const std::optional<StripeJunction>& junction, double within_rad) const;
   JunctionCode code() const;

@@ -16,7 +16,7 @@ CodeReading CodeFilter::update(JunctionCode raw, bool line_ends_ahead) {
   const JunctionCode held = raw == JunctionCode::unrecognised ? smoothed_ : raw;
   push(held);
   smoothed_ = mode();
-  return {raw, held, smoothed_, line_ends_ahead};
+  return {raw, held, smoothed_, line_ends_ahead && held == smoothed_};
 }
 
 void CodeFilter::reset() {

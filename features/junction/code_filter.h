@@ -17,7 +17,7 @@ class CodeFilter {
   /// N is 1, 3, 5, 7 or 9, else std::invalid_argument.
   explicit CodeFilter(int window = kDefaultWindow);
 
-  /// One frame further.
+  /// One frame further. Of the line's end a frame that reads otherwise than the window says nothing.
   CodeReading update(JunctionCode raw, bool line_ends_ahead = false);
 
   /// Forgets all frames: the next J1 is held as J1.

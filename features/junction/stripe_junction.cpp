@@ -172,13 +172,14 @@ std::optional<JunctionArm> JunctionFinder::arm(const LevelMask& mask, const Stri
   const double reach = way * (end.along - from);
   if (reach < options_.min_seen) return narrower(mask, stripe, from, centre_along, way);
   if (way * (start.along - from) > options_.max_gap) return std::nullopt;
-  int seen = 0, painted = 0;
+  int seen = 0, in_view = 0, painted = 0;
   for (double gone = 0.5 * kStep; gone < reach; gone += kStep) {
     const CrossSection section = cross_section(mask, axes, from + way * gone);
     seen += int{!section.is_out_of_view()};
-    painted += int{section.is_painted()};
+    in_view += section.in_view;
+    painted += section.painted;
   }
-  if (seen * kStep < 0.5 * options_.min_seen || painted < options_.min_painted * seen) return std::nullopt;
+  if (seen * kStep < 0.5 * options_.min_seen || painted < options_.min_painted * in_view) return std::nullopt;
   return arm_to(stripe.course, end, stripe.course.width, centre_along, way);
 }
 

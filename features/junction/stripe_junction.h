@@ -13,7 +13,7 @@ namespace lineservo::features {
 /// Lengths in normalised units (metres on the floor over the height).
 struct JunctionOptions {
   double min_angle_rad = 20.0 * 3.14159265358979323846 / 180.0;  ///< between stripes that may meet
-  double min_painted = 0.5;    ///< share of an arm, from the node to its end, that is painted
+  double min_painted = 0.4;    ///< share of an arm, from the node to its end, that is painted
   double min_seen = 0.04;      ///< length of an arm, beyond the node, that must be in view
   double min_narrower = 0.04;  ///< the same of an arm that is narrower than its stripe
   double max_off = 0.08;       ///< by which a third stripe may miss the place where two meet

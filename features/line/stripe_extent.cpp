@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kStep = 0.02;     // along the stripe: 4 mask pixels
 constexpr double kInset = 0.015;   // of the outer samples from the border: 3 mask pixels
+constexpr double kBroad = 0.2;     // blotches of worn paint are narrower than this
 constexpr double kLongest = 4.0;   // no view reaches further
 constexpr double kLastGap = 0.06;  // bare floor of this length before the edge of the image ends a stripe
 
@@ -25,13 +26,19 @@ CrossSection cross_section(const LevelMask& mask, const StripeAxes& axes, double
   CrossSection section;
   const double inner = 0.3 * axes.width();
   for (const double across : {-inner, 0.0, inner}) sample(mask, axes.at(along, across), section);
-  if (section.in_view == 3) return section;
+  if (axes.width() > kBroad)
+    for (const double share : {-0.4, -0.15, 0.15, 0.4})
+      sample(mask, axes.at(along, share * axes.width()), section);
+  else if (section.in_view == 3)
+    return section;
+  if (section.in_view == 7) return section;
   const double outer = std::max(0.5 * axes.width() - kInset, 0.25 * axes.width());
   for (const double across : {-outer, outer}) sample(mask, axes.at(along, across), section);
   return section;
 }
 
-StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged) {
+StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged,
+                       double least_share) {
   StripeEnd end{.along = along, .leaves_view = false, .bare = 0.0};
   for (double gone = 0.0; gone < kLongest; gone += kStep) {
     const double here = along + way * gone;
@@ -40,7 +47,7 @@ StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double alo
       end.leaves_view = end.bare < kLastGap;
       break;
     }
-    if (section.is_painted()) {
+    if (section.is_painted(least_share)) {
       end.along = here;
       end.bare = 0.0;
     } else if ((end.bare += kStep) > bridged) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "features/geometry/angles.h"
+#include "features/line/side_paint.h"
 #include "features/line/stripe_extent.h"
 
 namespace lineservo::features {
@@ -19,6 +20,14 @@ constexpr double kOwn = 0.02;         // of a fitted border: its points
 constexpr double kBesideEnd = 0.05;   // the cap of a dead end lies so near to the end
 constexpr double kFacing = 0.966;     // of the angle that follows
 constexpr double kFacing_rad = radians(15.0);
+constexpr double kBeside = 0.015;  // of a border, to its sides: 3 mask pixels
+constexpr double kLeastEdges =
+    0.8;  // of the places along a border, clear of a crossing, with paint on its inner side
+constexpr int kFewestEdges = 4;
+constexpr double kLeastFreeEdges = 0.65;        // the same clear of the stripes that were found before
+constexpr double kLeastArm = 0.1;               // length of an arm, node included
+constexpr double kArmTurn_rad = radians(12.0);  // of an arm from square, as its borders may say
+constexpr double kArmSigma = 0.03, kArmSigma_rad = 0.1;  // of an arm whose borders say nothing
 constexpr double kUnhinted = 0.5;      // border length for a stripe whose width nobody knows
 constexpr double kGuessQuality = 0.3;  // factor when the width is a guess
 constexpr double kSameDirection_rad = radians(20.0);
@@ -44,6 +53,7 @@ StripeFinder::StripeFinder(const StripeOptions& options) : options_(options) {
           "min_width must be positive and below max_width");
   require(options.min_quality >= 0.0 && options.min_quality <= 1.0, "min_quality must be in [0, 1]");
   require(options.bridged_gap >= 0.0, "bridged_gap must not be negative");
+  require(options.painted_share >= 0.0 && options.painted_share < 1.0, "painted_share must be in [0, 1)");
   require(options.carries_on >= 0.0, "carries_on must not be negative");
 }
 
@@ -53,11 +63,21 @@ void StripeFinder::find(const LevelMask& mask, const std::vector<BorderPoint>& p
   stripes_ = &stripes;
   stripes.clear();
   border_.assign(points);
+  search(prior);
+  if (drop_wear()) {  // it may have misled what was found after it, and has taken points of what was not
+    border_.assign(points);
+    for (const Stripe& stripe : *stripes_) spend_points_of(stripe);
+    search(prior);
+    drop_wear();
+  }
+  rank(prior);
+}
+
+void StripeFinder::search(const std::optional<StripePrior>& prior) {
   search_pairs();
   border_.release_deferred();
   search_single_borders(prior);
-  drop_wear();
-  rank(prior);
+  search_side_paint();
 }
 
 void StripeFinder::search_pairs() {
@@ -74,6 +94,33 @@ void StripeFinder::search_single_borders(const std::optional<StripePrior>& prior
     if (!peak || peak->length < options_.min_border_length) return;
     if (!take_single_border(peak->theta_rad, known_width(prior))) defer_direction(peak->theta_rad);
   }
+}
+
+// Of the stripe with the most border, which is the surest.
+void StripeFinder::search_side_paint() {
+  if (stripes_->empty() || !stripes_->front().both_borders) return;
+  const Stripe stripe = stripes_->front();
+  for (const SidePaint& paint :
+       side_paint(*mask_, stripe, [this](const Eigen::Vector2d& p_L) { return is_on_stripe(p_L); }))
+    if (std::ssize(*stripes_) < options_.max_stripes) take_arm(stripe, paint);
+}
+
+// Square to the stripe and of its width, unless what there is of its borders says it better.
+void StripeFinder::take_arm(const Stripe& stripe, const SidePaint& paint) {
+  const StripeAxes axes(stripe.course);
+  // n(θ + π/2) = −forward(θ)
+  const StripeCourse start =
+      canonical({stripe.course.theta_rad + kPi / 2.0, -paint.along, stripe.course.width});
+  StripeFit fit{.course = start};
+  fit.covariance = Eigen::Vector2d(kArmSigma * kArmSigma, kArmSigma_rad * kArmSigma_rad).asDiagonal();
+  const auto fitted = fit_stripe(border_.near(start.theta_rad), start, WidthIs::known);
+  const bool agrees = fitted && axis_difference(fitted->course.theta_rad, start.theta_rad) < kArmTurn_rad;
+  if (agrees) fit = *fitted;
+  const Eigen::Vector2d inside = axes.at(paint.along, paint.side * paint.away);
+  const Stripe arm = measured(fit, false, StripeAxes(fit.course).along(inside));
+  if (repeats(arm) || arm.end.along - arm.begin.along < kLeastArm) return;
+  stripes_->push_back(arm);
+  spend_points_of(arm);
 }
 
 bool StripeFinder::take_pair(double theta_rad) {
@@ -94,7 +141,7 @@ bool StripeFinder::take_pair(double theta_rad) {
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   return std::any_of(candidates_.begin(), candidates_.end(), [this](const Candidate& candidate) {
-    return accept(candidate.course, WidthIs::free, true);
+    return accept(candidate.course, WidthIs::free, true, 0.0);
   });
 }
 
@@ -111,7 +158,7 @@ bool StripeFinder::take_single_border(double theta_rad, double known_width) {
       const StripeCourse course{theta_rad, peak.rho + 0.5 * side * width, width};
       if (!only_one_border_in_view(course, side)) continue;
       if (fill(course, support(course)) < options_.min_fill) continue;
-      if (!accept(course, WidthIs::known, false)) continue;
+      if (!accept(course, WidthIs::known, false, side)) continue;
       if (known_width > 0.0) return true;
       Stripe& guess = stripes_->back();
       guess.feature.quality *= kGuessQuality;
@@ -122,7 +169,7 @@ bool StripeFinder::take_single_border(double theta_rad, double known_width) {
   return false;
 }
 
-bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_borders) {
+bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_borders, double side) {
   auto fit = fit_stripe(border_.near(start.theta_rad), start, width);
   if (!fit) return false;
   // A glimpse of the other border beats the width that was assumed.
@@ -132,7 +179,10 @@ bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_bo
   const double length = fit->rising_length + fit->falling_length;
   const double per_width = both_borders ? options_.min_border_widths : 0.3;
   if (length < std::max(options_.min_border_length, per_width * fit->course.width)) return false;
-  const Stripe stripe = measured(*fit, both_borders);
+  if (both_borders ? !has_border(fit->course, +1.0) || !has_border(fit->course, -1.0)
+                   : !has_border(fit->course, -side))
+    return false;
+  const Stripe stripe = measured(*fit, both_borders, support(fit->course).middle());
   if (!is_acceptable(stripe) || repeats(stripe)) return false;
   stripes_->push_back(stripe);
   spend_points_of(stripe);
@@ -154,6 +204,44 @@ bool StripeFinder::repeats(const Stripe& stripe) const {
     if (axis_difference(stripe.course.theta_rad, other.course.theta_rad) > kSameDirection_rad) return false;
     const double apart = std::abs(middle.dot(other.course.normal()) - other.course.rho);
     return apart < 0.5 * (stripe.course.width + other.course.width);
+  });
+}
+
+// A border has paint on one side of it. Between blotches inside the paint there are pieces that look like
+// one, with paint beyond nearly everywhere else; a true border has that only where another stripe crosses,
+// over that one's width, which is taken for this one's.
+bool StripeFinder::has_border(const StripeCourse& course, double side) const {
+  constexpr double kStep = 0.02;
+  const StripeAxes axes(course);
+  const Support range = support(course);
+  const double off = std::min(kBeside, 0.25 * course.width);
+  const auto crossing = static_cast<std::size_t>(course.width / kStep);
+  beyond_.assign(1, {});
+  BorderCount all, crossed;
+  for (double along = range.from; along <= range.to; along += kStep) {
+    const Eigen::Vector2d outside = axes.at(along, side * (0.5 * course.width + off));
+    const Paint paint = mask_->at(outside);
+    if (paint != Paint::out_of_view &&
+        mask_->at(axes.at(along, side * (0.5 * course.width - off))) == Paint::painted &&
+        !is_on_stripe(outside))
+      ++(paint == Paint::painted ? all.paint_beyond : all.edges);
+    beyond_.push_back(all);
+    const BorderCount& before = beyond_[beyond_.size() - 1 - std::min(crossing, beyond_.size() - 1)];
+    if (all.paint_beyond - before.paint_beyond > crossed.paint_beyond)
+      crossed = {all.edges - before.edges, all.paint_beyond - before.paint_beyond};
+  }
+  const int edges = all.edges - crossed.edges, paint_beyond = all.paint_beyond - crossed.paint_beyond;
+  if (!stripes_->empty()) return all.edges >= kLeastFreeEdges * (all.edges + all.paint_beyond);
+  if (all.edges >= kLeastEdges * (all.edges + all.paint_beyond)) return true;
+  return edges >= kFewestEdges && edges >= kLeastEdges * (edges + paint_beyond);
+}
+
+bool StripeFinder::is_on_stripe(const Eigen::Vector2d& p_L) const {
+  return std::any_of(stripes_->begin(), stripes_->end(), [&p_L](const Stripe& stripe) {
+    const StripeAxes axes(stripe.course);
+    const double along = axes.along(p_L);
+    return std::abs(axes.across(p_L)) < 0.5 * stripe.course.width + kBeside &&
+           along > stripe.begin.along - kBeside && along < stripe.end.along + kBeside;
   });
 }
 
@@ -240,12 +328,11 @@ double StripeFinder::known_width(const std::optional<StripePrior>& prior) const 
   return prior ? prior->width : 0.0;
 }
 
-Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders) const {
+Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders, double middle) const {
   Stripe stripe{.course = fit.course, .feature = {}, .begin = {}, .end = {}, .both_borders = both_borders};
   const StripeAxes axes(fit.course);
-  const double middle = support(fit.course).middle();
-  stripe.end = follow_paint(*mask_, axes, middle, +1, options_.bridged_gap);
-  stripe.begin = follow_paint(*mask_, axes, middle, -1, options_.bridged_gap);
+  stripe.end = follow_paint(*mask_, axes, middle, +1, options_.bridged_gap, options_.painted_share);
+  stripe.begin = follow_paint(*mask_, axes, middle, -1, options_.bridged_gap, options_.painted_share);
   const double visible = border_in_view(*mask_, axes, stripe.begin.along, stripe.end.along);
   LineFeature& feature = stripe.feature;
   feature.rho = fit.course.rho;
@@ -264,7 +351,7 @@ Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders) const {
 
 // Between a gap and a blotch, or at a cap, worn paint shows pieces that start and end inside a longer stripe.
 // A piece that leaves the view beside that stripe goes on: it is a side arm of which little is in view.
-void StripeFinder::drop_wear() {
+bool StripeFinder::drop_wear() {
   const auto length = [](const Stripe& s) { return s.end.along - s.begin.along; };
   const auto inside = [&length](const Stripe& piece, const Stripe& whole) {
     if (length(piece) >= length(whole)) return false;
@@ -278,11 +365,13 @@ void StripeFinder::drop_wear() {
     return within(piece.feature.begin, piece.begin.leaves_view) &&
            within(piece.feature.end, piece.end.leaves_view);
   };
+  const std::size_t found = stripes_->size();
   for (auto piece = stripes_->begin(); piece != stripes_->end();) {
     const bool is_wear = std::any_of(stripes_->begin(), stripes_->end(),
                                      [&](const Stripe& whole) { return inside(*piece, whole); });
     piece = is_wear ? stripes_->erase(piece) : piece + 1;
   }
+  return stripes_->size() < found;
 }
 
 void StripeFinder::rank(const std::optional<StripePrior>& prior) {

@@ -5,6 +5,7 @@
 
 #include "features/line/border_field.h"
 #include "features/line/border_votes.h"
+#include "features/line/side_paint.h"
 #include "features/line/stripe.h"
 #include "features/line/stripe_fit.h"
 #include "features/mask/level_mask.h"
@@ -20,8 +21,9 @@ struct StripeOptions {
   double min_quality = 0.2;        ///< share of the visible border that must support a stripe
   double min_width = 0.015;
   double max_width = 1.8;
-  double bridged_gap = 0.35;  ///< worn paint of this length does not end a stripe
-  double carries_on = 0.3;    ///< a stripe of at least this length is worth following
+  double bridged_gap = 0.5;     ///< worn paint of this length does not end a stripe
+  double painted_share = 0.33;  ///< of a cross-section, more than which does not end a stripe
+  double carries_on = 0.3;      ///< a stripe of at least this length is worth following
 };
 
 /// Finds the painted stripes of a frame from the border of the paint, at any angle: directions by vote,
@@ -48,11 +50,22 @@ class StripeFinder {
     double middle() const { return 0.5 * (from + to); }
   };
 
+  /// Places along a border with paint on its inner side.
+  struct BorderCount {
+    int edges = 0;         ///< bare floor on the outer side
+    int paint_beyond = 0;  ///< paint on both
+  };
+
+  void search(const std::optional<StripePrior>& prior);
   void search_pairs();
   void search_single_borders(const std::optional<StripePrior>& prior);
+  void search_side_paint();
+  void take_arm(const Stripe& stripe, const SidePaint& paint);
   bool take_pair(double theta_rad);
   bool take_single_border(double theta_rad, double known_width);
-  bool accept(const StripeCourse& start, WidthIs width, bool both_borders);
+  bool accept(const StripeCourse& start, WidthIs width, bool both_borders, double side);
+  bool has_border(const StripeCourse& course, double side) const;
+  bool is_on_stripe(const Eigen::Vector2d& p_L) const;
   bool is_acceptable(const Stripe& stripe) const;
   bool repeats(const Stripe& stripe) const;
   bool only_one_border_in_view(const StripeCourse& course, double side) const;
@@ -62,8 +75,8 @@ class StripeFinder {
   double fill(const StripeCourse& course, const Support& support) const;
   double depth_in_view(const StripeCourse& border, double side) const;
   double known_width(const std::optional<StripePrior>& prior) const;
-  Stripe measured(const StripeFit& fit, bool both_borders) const;
-  void drop_wear();
+  Stripe measured(const StripeFit& fit, bool both_borders, double middle) const;
+  bool drop_wear();
   void rank(const std::optional<StripePrior>& prior);
 
   StripeOptions options_;
@@ -72,6 +85,7 @@ class StripeFinder {
   std::vector<Stripe>* stripes_ = nullptr;
   BorderField border_;
   std::vector<Candidate> candidates_;
+  mutable std::vector<BorderCount> beyond_;  ///< of has_border()
 };
 
 }  // namespace lineservo::features

@@ -116,6 +116,8 @@ bool well_posed(const NormalEquations& sums, WidthIs width) {
   return width == WidthIs::known || (sums.rising_length > 0.0 && sums.falling_length > 0.0);
 }
 
+}  // namespace
+
 StripeCourse canonical(StripeCourse course) {
   course.theta_rad = wrap_angle(course.theta_rad);
   if (course.theta_rad > kPi / 2.0 || course.theta_rad <= -kPi / 2.0) {
@@ -124,8 +126,6 @@ StripeCourse canonical(StripeCourse course) {
   }
   return course;
 }
-
-}  // namespace
 
 std::optional<StripeFit> fit_stripe(std::span<const BorderPoint> points, const StripeCourse& start,
                                     WidthIs width) {

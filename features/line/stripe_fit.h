@@ -18,6 +18,9 @@ struct StripeFit {
   double scatter = 0.0;         ///< of the border points about the fitted borders, one σ
 };
 
+/// The same course with θ in (−π/2, π/2].
+StripeCourse canonical(StripeCourse course);
+
 enum class WidthIs { free, known };
 
 /// Fits one direction, offset and (unless it is known) width to both borders of a stripe at once, by

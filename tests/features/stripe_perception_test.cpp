@@ -257,6 +257,34 @@ TEST_F(Perception, WornRaggedAndDirtyPaintStillGivesTheLineAndNoJunction) {
   }
 }
 
+// Worn by a quarter, in blotches of up to a sixth of the width, with little left of many a border: the arms
+// are told by their area, and nothing ends where it goes on.
+TEST_F(Perception, WornBroadNodesKeepTheirArms) {
+  const std::vector<std::vector<double>> nodes = {
+      {kAhead, kBehind, kLeft, kRight}, {kAhead, kBehind, kLeft}, {kAhead, kBehind, kRight}};
+  TestRandom random(5);
+  int clear = 0, right = 0, ended = 0;
+  for (const auto& arms : nodes) {
+    const Floor floor = node_floor(arms, kBroad_m);
+    for (int k = 0; k < 150; ++k) {
+      const Pose pose{.x_m = random.uniform(-0.4, 0.4),
+                      .y_m = random.uniform(-0.03, 0.03),
+                      .heading_rad = random.uniform(-0.05, 0.05)};
+      TestMask mask = draw(geometry_, pose, floor);
+      blot(mask, random, 0.25, 12.0, false);
+      const StripeFeatures& seen = see(mask, pose);
+      const test::CodeTruth truth = test::true_code(geometry_, pose, floor);
+      if (truth.margin_px < 4.0) continue;
+      ++clear;
+      right += int{seen.raw == truth.code};
+      ended += int{seen.line_ends_ahead};
+    }
+  }
+  EXPECT_GT(clear, 300);
+  EXPECT_GE(right, 0.97 * clear);
+  EXPECT_LE(ended, 0.01 * clear);
+}
+
 TEST_F(Perception, AnArcGivesItsLocalTangentOnce) {
   // Radius 1.5 m, the vehicle on the arc and along it: the tangent at the vehicle is ρ = 0, θ = 0.
   const Pose pose{};

@@ -90,6 +90,15 @@ TEST(CodeFilter, PassesTheLineEndOn) {
   EXPECT_FALSE(filter.update(JunctionCode::corner_left, false).line_ends_ahead);
 }
 
+TEST(CodeFilter, AFrameThatReadsOtherwiseSaysNothingOfTheLinesEnd) {
+  CodeFilter filter(5);
+  for (int k = 0; k < 5; ++k) filter.update(JunctionCode::corner_left);
+  const CodeReading misread = filter.update(JunctionCode::straight, true);
+  EXPECT_EQ(misread.smoothed, JunctionCode::corner_left);
+  EXPECT_FALSE(misread.line_ends_ahead);
+  EXPECT_TRUE(filter.update(JunctionCode::unrecognised, true).line_ends_ahead);  // held
+}
+
 TEST(CodeFilter, RefusesOtherWindows) {
   for (const int window : {-1, 0, 2, 4, 10, 11})
     EXPECT_THROW(CodeFilter{window}, std::invalid_argument) << window;
