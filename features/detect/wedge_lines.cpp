@@ -12,8 +12,6 @@ constexpr double kCodeFrame_px = 400.0;  // the frame in which the code rule cou
 
 StripePerceptionOptions options_for(const MaskGeometry& geometry) {
   StripePerceptionOptions options;
-  // A mask by contrast may be hollow, with little but the borders of broad stripes.
-  options.stripe.painted_share = 0.5;
   const double scale = std::min(geometry.width_px(), geometry.height_px()) / kCodeFrame_px;
   options.visibility.min_px *= scale;
   options.visibility.across_slack_px *= scale;

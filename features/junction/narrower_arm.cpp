@@ -13,7 +13,6 @@ constexpr double kLeastWidth = 0.02;  // four mask pixels
 constexpr double kMostShare = 0.85;   // of the stripe's width: wider it is the stripe itself
 constexpr double kSameShare = 0.4;    // by which the widths at two places may differ
 constexpr double kBridged = 0.1;      // worn paint
-constexpr double kPaintedShare = 0.5;  // of a cross-section, more than which does not end the arm
 
 struct Run {
   double width, middle;
@@ -50,7 +49,7 @@ std::optional<NarrowerArm> narrower_arm(const LevelMask& mask, const StripeCours
   const double width = 0.5 * (first->width + second->width);
   if (std::abs(first->width - second->width) > kSameShare * width) return std::nullopt;
   const StripeCourse narrow{course.theta_rad, course.rho + 0.5 * (first->middle + second->middle), width};
-  return NarrowerArm{width, follow_paint(mask, StripeAxes(narrow), near, way, kBridged, kPaintedShare)};
+  return NarrowerArm{width, follow_paint(mask, StripeAxes(narrow), near, way, kBridged)};
 }
 
 }  // namespace lineservo::features

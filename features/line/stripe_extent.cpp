@@ -37,8 +37,7 @@ CrossSection cross_section(const LevelMask& mask, const StripeAxes& axes, double
   return section;
 }
 
-StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged,
-                       double least_share) {
+StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged) {
   StripeEnd end{.along = along, .leaves_view = false, .bare = 0.0};
   for (double gone = 0.0; gone < kLongest; gone += kStep) {
     const double here = along + way * gone;
@@ -47,7 +46,7 @@ StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double alo
       end.leaves_view = end.bare < kLastGap;
       break;
     }
-    if (section.is_painted(least_share)) {
+    if (section.is_painted()) {
       end.along = here;
       end.bare = 0.0;
     } else if ((end.bare += kStep) > bridged) {

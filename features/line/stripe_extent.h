@@ -11,7 +11,7 @@ struct CrossSection {
   int painted = 0;
 
   bool is_out_of_view() const { return in_view == 0; }
-  bool is_painted(double least_share) const { return painted > least_share * in_view; }
+  bool is_painted() const { return 2 * painted > in_view; }
 };
 
 /// Samples across the stripe, those near its borders only where the middle is out of view, at `along` of
@@ -19,10 +19,8 @@ struct CrossSection {
 CrossSection cross_section(const LevelMask& mask, const StripeAxes& axes, double along);
 
 /// Follows the paint from `along` one way (+1 forward, −1 back) to where it stops or leaves the view. Bare
-/// stretches of up to `bridged` are worn paint when paint follows them. Bare is where no more than
-/// `least_share` of the cross-section is painted.
-StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged,
-                       double least_share);
+/// stretches of up to `bridged` are worn paint when paint follows them.
+StripeEnd follow_paint(const LevelMask& mask, const StripeAxes& axes, double along, int way, double bridged);
 
 /// Whether paint goes on to the side of where a stripe ends ahead, as a bend does past its tangent. A dead
 /// end has none within 75° of forward at a stripe's width.

@@ -53,7 +53,6 @@ StripeFinder::StripeFinder(const StripeOptions& options) : options_(options) {
           "min_width must be positive and below max_width");
   require(options.min_quality >= 0.0 && options.min_quality <= 1.0, "min_quality must be in [0, 1]");
   require(options.bridged_gap >= 0.0, "bridged_gap must not be negative");
-  require(options.painted_share >= 0.0 && options.painted_share < 1.0, "painted_share must be in [0, 1)");
   require(options.carries_on >= 0.0, "carries_on must not be negative");
 }
 
@@ -331,8 +330,8 @@ double StripeFinder::known_width(const std::optional<StripePrior>& prior) const 
 Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders, double middle) const {
   Stripe stripe{.course = fit.course, .feature = {}, .begin = {}, .end = {}, .both_borders = both_borders};
   const StripeAxes axes(fit.course);
-  stripe.end = follow_paint(*mask_, axes, middle, +1, options_.bridged_gap, options_.painted_share);
-  stripe.begin = follow_paint(*mask_, axes, middle, -1, options_.bridged_gap, options_.painted_share);
+  stripe.end = follow_paint(*mask_, axes, middle, +1, options_.bridged_gap);
+  stripe.begin = follow_paint(*mask_, axes, middle, -1, options_.bridged_gap);
   const double visible = border_in_view(*mask_, axes, stripe.begin.along, stripe.end.along);
   LineFeature& feature = stripe.feature;
   feature.rho = fit.course.rho;

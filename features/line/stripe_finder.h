@@ -21,9 +21,8 @@ struct StripeOptions {
   double min_quality = 0.2;        ///< share of the visible border that must support a stripe
   double min_width = 0.015;
   double max_width = 1.8;
-  double bridged_gap = 0.5;     ///< worn paint of this length does not end a stripe
-  double painted_share = 0.33;  ///< of a cross-section, more than which does not end a stripe
-  double carries_on = 0.3;      ///< a stripe of at least this length is worth following
+  double bridged_gap = 0.5;  ///< worn paint of this length does not end a stripe
+  double carries_on = 0.3;   ///< a stripe of at least this length is worth following
 };
 
 /// Finds the painted stripes of a frame from the border of the paint, at any angle: directions by vote,
