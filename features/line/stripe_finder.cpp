@@ -20,13 +20,9 @@ constexpr double kOwn = 0.02;         // of a fitted border: its points
 constexpr double kBesideEnd = 0.05;   // the cap of a dead end lies so near to the end
 constexpr double kFacing = 0.966;     // of the angle that follows
 constexpr double kFacing_rad = radians(15.0);
-constexpr double kBeside = 0.015;  // of a border, to its sides: 3 mask pixels
-constexpr double kLeastEdges =
-    0.8;  // of the places along a border, clear of a crossing, with paint on its inner side
-constexpr int kFewestEdges = 4;
-constexpr double kLeastFreeEdges = 0.65;        // the same clear of the stripes that were found before
-constexpr double kLeastArm = 0.1;               // length of an arm, node included
-constexpr double kArmTurn_rad = radians(12.0);  // of an arm from square, as its borders may say
+constexpr double kBeside = 0.015;                        // a stripe: what is still taken for its paint
+constexpr double kLeastArm = 0.1;                        // length of an arm, node included
+constexpr double kArmTurn_rad = radians(12.0);           // of an arm from square, as its borders may say
 constexpr double kArmSigma = 0.03, kArmSigma_rad = 0.1;  // of an arm whose borders say nothing
 constexpr double kUnhinted = 0.5;      // border length for a stripe whose width nobody knows
 constexpr double kGuessQuality = 0.3;  // factor when the width is a guess
@@ -178,10 +174,11 @@ bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_bo
   const double length = fit->rising_length + fit->falling_length;
   const double per_width = both_borders ? options_.min_border_widths : 0.3;
   if (length < std::max(options_.min_border_length, per_width * fit->course.width)) return false;
-  if (both_borders ? !has_border(fit->course, +1.0) || !has_border(fit->course, -1.0)
-                   : !has_border(fit->course, -side))
+  const Support range = support(fit->course);
+  if (both_borders ? !has_border(fit->course, range, +1.0) || !has_border(fit->course, range, -1.0)
+                   : !has_border(fit->course, range, -side))
     return false;
-  const Stripe stripe = measured(*fit, both_borders, support(fit->course).middle());
+  const Stripe stripe = measured(*fit, both_borders, range.middle());
   if (!is_acceptable(stripe) || repeats(stripe)) return false;
   stripes_->push_back(stripe);
   spend_points_of(stripe);
@@ -206,33 +203,10 @@ bool StripeFinder::repeats(const Stripe& stripe) const {
   });
 }
 
-// A border has paint on one side of it. Between blotches inside the paint there are pieces that look like
-// one, with paint beyond nearly everywhere else; a true border has that only where another stripe crosses,
-// over that one's width, which is taken for this one's.
-bool StripeFinder::has_border(const StripeCourse& course, double side) const {
-  constexpr double kStep = 0.02;
-  const StripeAxes axes(course);
-  const Support range = support(course);
-  const double off = std::min(kBeside, 0.25 * course.width);
-  const auto crossing = static_cast<std::size_t>(course.width / kStep);
-  beyond_.assign(1, {});
-  BorderCount all, crossed;
-  for (double along = range.from; along <= range.to; along += kStep) {
-    const Eigen::Vector2d outside = axes.at(along, side * (0.5 * course.width + off));
-    const Paint paint = mask_->at(outside);
-    if (paint != Paint::out_of_view &&
-        mask_->at(axes.at(along, side * (0.5 * course.width - off))) == Paint::painted &&
-        !is_on_stripe(outside))
-      ++(paint == Paint::painted ? all.paint_beyond : all.edges);
-    beyond_.push_back(all);
-    const BorderCount& before = beyond_[beyond_.size() - 1 - std::min(crossing, beyond_.size() - 1)];
-    if (all.paint_beyond - before.paint_beyond > crossed.paint_beyond)
-      crossed = {all.edges - before.edges, all.paint_beyond - before.paint_beyond};
-  }
-  const int edges = all.edges - crossed.edges, paint_beyond = all.paint_beyond - crossed.paint_beyond;
-  if (!stripes_->empty()) return all.edges >= kLeastFreeEdges * (all.edges + all.paint_beyond);
-  if (all.edges >= kLeastEdges * (all.edges + all.paint_beyond)) return true;
-  return edges >= kFewestEdges && edges >= kLeastEdges * (edges + paint_beyond);
+bool StripeFinder::has_border(const StripeCourse& course, const Support& range, double side) {
+  const auto is_known = [this](const Eigen::Vector2d& p_L) { return is_on_stripe(p_L); };
+  const BorderCount count = border_check_.count(*mask_, course, {range.from, range.to, side}, is_known);
+  return stripes_->empty() ? count.is_border_of_first() : count.is_border();
 }
 
 bool StripeFinder::is_on_stripe(const Eigen::Vector2d& p_L) const {

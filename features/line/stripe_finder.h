@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "features/line/border_check.h"
 #include "features/line/border_field.h"
 #include "features/line/border_votes.h"
 #include "features/line/side_paint.h"
@@ -49,12 +50,6 @@ class StripeFinder {
     double middle() const { return 0.5 * (from + to); }
   };
 
-  /// Places along a border with paint on its inner side.
-  struct BorderCount {
-    int edges = 0;         ///< bare floor on the outer side
-    int paint_beyond = 0;  ///< paint on both
-  };
-
   void search(const std::optional<StripePrior>& prior);
   void search_pairs();
   void search_single_borders(const std::optional<StripePrior>& prior);
@@ -63,7 +58,7 @@ class StripeFinder {
   bool take_pair(double theta_rad);
   bool take_single_border(double theta_rad, double known_width);
   bool accept(const StripeCourse& start, WidthIs width, bool both_borders, double side);
-  bool has_border(const StripeCourse& course, double side) const;
+  bool has_border(const StripeCourse& course, const Support& range, double side);
   bool is_on_stripe(const Eigen::Vector2d& p_L) const;
   bool is_acceptable(const Stripe& stripe) const;
   bool repeats(const Stripe& stripe) const;
@@ -83,8 +78,8 @@ class StripeFinder {
   const LevelMask* mask_ = nullptr;
   std::vector<Stripe>* stripes_ = nullptr;
   BorderField border_;
+  BorderCheck border_check_;
   std::vector<Candidate> candidates_;
-  mutable std::vector<BorderCount> beyond_;  ///< of has_border()
 };
 
 }  // namespace lineservo::features

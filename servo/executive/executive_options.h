@@ -19,7 +19,7 @@ struct ExecutiveOptions {
   DockOptions dock;
   NodeTracker::Options tracker;
   CommandLimits limits;
-  double look_ahead_after_s = 3.0;  ///< for which the first edge is missing, less what it is seen
+  double look_ahead_after_s = 3.0;  ///< of phase align: it takes 2 s where the first edge is plain
   double look_ahead_heights = 0.5;  ///< ahead of the marker: half of it stays in view
   int confirm_frames = 2;
   int doubt_frames = 3;  ///< more of them for a node that the plan does not expect

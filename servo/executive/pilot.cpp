@@ -49,10 +49,7 @@ void Pilot::see_first_edge(const Observation& observation) {
     line_angle_rad_.reset();
     line_offset_m_.reset();
   }
-  const double frame_s = seconds(observation.now - first_edge_looked_for_);
-  first_edge_looked_for_ = observation.now;
-  first_edge_missing_s_ = std::max(0.0, first_edge_missing_s_ + (line_angle_rad_ ? -frame_s : frame_s));
-  looks_ahead_ |= first_edge_missing_s_ > options_.look_ahead_after_s;
+  looks_ahead_ = seconds(observation.now - align_began_) > options_.look_ahead_after_s;
 }
 
 void Pilot::see_node(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m,
@@ -70,8 +67,7 @@ void Pilot::change(Phase from, const Orders& orders, const Observation& observat
   if (to == Phase::relaunch) tracker_.reset();
   if (to == Phase::follow || to == Phase::align) law_->reset();
   if (to == Phase::align) {
-    first_edge_looked_for_ = observation.now;
-    first_edge_missing_s_ = 0.0;
+    align_began_ = observation.now;
     looks_ahead_ = false;
   }
 }

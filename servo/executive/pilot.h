@@ -31,9 +31,8 @@ class Pilot {
   /// Takes in where the node was in the frame, if it was; `goes_by_it`: the phase is about this node.
   void see_node(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m,
                 bool goes_by_it);
-  /// The vehicle stands facing its first edge: a line across the heading is another. When the edge is missing
-  /// for longer than it is seen, because what the marker leaves of it is worn, the vehicle goes a little ahead
-  /// of the marker.
+  /// The vehicle stands facing its first edge: a line across the heading is another. When the edge does not
+  /// hold still, because what the marker leaves of it is worn, the vehicle goes a little ahead of the marker.
   void see_first_edge(const Observation& observation);
   /// In a turn the next edge's line counts, where the frame shows it.
   void see_turn(const Observation& observation) { line_angle_rad_ = turn_.correct(observation); }
@@ -110,8 +109,7 @@ class Pilot {
   std::optional<double> line_angle_rad_, line_offset_m_;  ///< of the line to follow, now
   std::optional<LastLine> last_line_;
   Search search_;
-  Time first_edge_looked_for_{0};
-  double first_edge_missing_s_ = 0.0;  ///< for how long in all, less what it was seen
+  Time align_began_{0};
   bool looks_ahead_ = false;  ///< ahead of the marker for the first edge
   Turn turn_;
   CornerArc arc_;  ///< of the corner that is being flown
