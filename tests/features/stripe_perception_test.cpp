@@ -257,6 +257,28 @@ TEST_F(Perception, WornRaggedAndDirtyPaintStillGivesTheLineAndNoJunction) {
   }
 }
 
+// Dirt on a start disc, in line with a border of the line that leaves it, stretches that border across the
+// disc, where there is paint on both sides of it.
+TEST_F(Perception, ALineIsSeenToLeaveADirtyDisc) {
+  const Pose pose{.x_m = 0.25};
+  Floor floor = straight_floor(kTape_m);
+  floor.strips = {{{0.0, 0.0}, {5.0, 0.0}, kTape_m}};
+  const double radius_m = 0.15;
+  for (double off_m = -0.6 * kTape_m; off_m <= 0.6 * kTape_m; off_m += 0.05 * kTape_m) {
+    TestMask mask = draw(geometry_, pose, floor);
+    test::for_each_pixel(geometry_, pose, [&](int x, int y, const Eigen::Vector2d& p) {
+      const bool is_dirt = (p - Eigen::Vector2d(-0.09, off_m)).norm() < 0.014;
+      if (p.norm() < radius_m) mask.set(x, y, !is_dirt);
+    });
+    const StripeFeatures& seen = see(mask, pose);
+    ASSERT_FALSE(seen.lines.empty()) << off_m;
+    const Eigen::Vector2d error = test::course_error(seen.lines[0].rho, seen.lines[0].theta_rad,
+                                                     true_course(pose, {0.0, 0.0}, 0.0, kTape_m));
+    EXPECT_NEAR(error.x(), 0.0, 4e-3) << off_m;
+    EXPECT_NEAR(error.y(), 0.0, radians(0.5)) << off_m;
+  }
+}
+
 // Worn by a quarter, in blotches of up to a sixth of the width, with little left of many a border: the arms
 // are told by their area, and nothing ends where it goes on.
 TEST_F(Perception, WornBroadNodesKeepTheirArms) {
