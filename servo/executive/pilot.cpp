@@ -54,8 +54,8 @@ void Pilot::see_first_edge(const Observation& observation) {
 
 void Pilot::see_node(const Observation& observation, const std::optional<Eigen::Vector2d>& sighting_m,
                      bool goes_by_it) {
-  tracker_.observe(observation, sighting_m);
-  if (sighting_m && goes_by_it) dock_law_.observe(observation, *sighting_m);
+  const bool counts = tracker_.observe(observation, sighting_m);
+  if (counts && goes_by_it) dock_law_.observe(observation, *sighting_m);
 }
 
 void Pilot::change(Phase from, const Orders& orders, const Observation& observation) {

@@ -21,9 +21,10 @@ struct Passage {
 
   void fly(const VelocityCommand& velocity) { vehicle.fly(velocity, kFrame); }
   /// A frame with the node, displaced in H, or without one.
-  void see(const Eigen::Vector2d& off_m = Eigen::Vector2d::Zero(), int delay_steps = 0) {
+  bool see(const Eigen::Vector2d& off_m = Eigen::Vector2d::Zero(), int delay_steps = 0) {
     const auto& then = vehicle.pose_at_capture(delay_steps);
-    tracker.observe(vehicle.observe({}, delay_steps), testing::in_heading_frame(then, kNode_W) + off_m);
+    return tracker.observe(vehicle.observe({}, delay_steps),
+                           testing::in_heading_frame(then, kNode_W) + off_m);
   }
   void miss() { tracker.observe(vehicle.observe({}, 0), std::nullopt); }
   std::optional<Eigen::Vector2d> told() const { return tracker.node_now(vehicle.observe({}, 0)); }
@@ -80,18 +81,41 @@ TEST(NodeTracker, SightingsKeepItAlive) {
 TEST(NodeTracker, NewSightingsCountWithTheirWeight) {
   Passage p;
   p.see();
-  p.see({0.1, -0.06});
-  EXPECT_LT((*p.told() - (p.truth() + Eigen::Vector2d(0.05, -0.03))).norm(), 1e-12);
+  p.see({0.02, -0.012});
+  EXPECT_LT((*p.told() - (p.truth() + Eigen::Vector2d(0.01, -0.006))).norm(), 1e-12);
   p.see();
-  EXPECT_LT((*p.told() - (p.truth() + Eigen::Vector2d(0.025, -0.015))).norm(), 1e-12);
+  EXPECT_LT((*p.told() - (p.truth() + Eigen::Vector2d(0.005, -0.003))).norm(), 1e-12);
+}
+
+TEST(NodeTracker, OneSightingThatJumpsDoesNotCount) {
+  Passage p;
+  p.see();
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_FALSE(p.see({0.04, 0.0}));
+    EXPECT_TRUE(p.see());
+    EXPECT_FALSE(p.see({0.0, -0.05}));
+    EXPECT_FALSE(p.see({0.0, 0.05}));  // a jump elsewhere is no confirmation
+    EXPECT_TRUE(p.see());
+  }
+  EXPECT_LT((*p.told() - p.truth()).norm(), 1e-12);
+}
+
+TEST(NodeTracker, AJumpThatTheNextSightingConfirmsCounts) {
+  Passage p;
+  p.see();
+  EXPECT_FALSE(p.see({0.1, 0.0}));
+  EXPECT_TRUE(p.see({0.1, 0.01}));
+  EXPECT_LT((*p.told() - (p.truth() + Eigen::Vector2d(0.05, 0.005))).norm(), 1e-12);
 }
 
 TEST(NodeTracker, AnotherNodeBeyondTheGateIsLeftAlone) {
   Passage inside, outside;
   inside.see();
   inside.see({0.249, 0.0});
+  inside.see({0.249, 0.0});
   EXPECT_NEAR((*inside.told() - inside.truth()).norm(), 0.1245, 1e-12);
   outside.see();
+  outside.see({0.251, 0.0});
   outside.see({0.251, 0.0});
   EXPECT_LT((*outside.told() - outside.truth()).norm(), 1e-12);
 }
