@@ -68,6 +68,13 @@ TEST_F(SidePaintTest, BareFloorAndWhatIsKnownAreNoArm) {
   EXPECT_TRUE(see(mask_of({kAhead, kBehind, kLeft}, 0.0)).empty());
 }
 
+// A bend or a fork of half a right angle leaves the stripe slanted: its borders tell it.
+TEST_F(SidePaintTest, WhatLeavesAtASlantIsNoArm) {
+  for (const double turn_rad : {kLeft, kRight})
+    for (double ahead_m = -0.3; ahead_m <= 0.3; ahead_m += 0.02)
+      EXPECT_TRUE(see(mask_of({kBehind, 0.5 * turn_rad}, -ahead_m)).empty()) << turn_rad << ' ' << ahead_m;
+}
+
 // All floor beside the stripe is painted: that is no arm of the stripe's width.
 TEST_F(SidePaintTest, PaintWithoutEndIsNoArm) {
   Floor floor = node_floor({kAhead, kBehind}, kWidth_m);
