@@ -4,9 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "apps/config/input_error.h"
+#include "apps/config/layout_bitmap.h"
 #include "apps/config/layout_file.h"
 #include "apps/image/image_file.h"
 #include "apps/output/result_folder.h"
@@ -20,6 +23,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::string image, out;
+  bool as_floor = false;
   TrackImportOptions options;
 };
 
@@ -28,6 +32,13 @@ void check(const Arguments& a) {
     throw InputError("--metres-per-pixel: must be 0.0001 to 1");
   if (fs::path(a.out).extension() != ".yaml")
     throw InputError(fmt::format("--out {}: must end in .yaml", a.out));
+  if (!(a.options.start_disc_m >= 0.0 && a.options.start_disc_m <= 2.0))
+    throw InputError("--start-disc: must be 0 (none) to 2");
+  const std::string name = fs::path(a.image).filename();
+  if (a.as_floor && !is_bitmap_name(name))
+    throw InputError(fmt::format("--bitmap: {}: must end in {}", a.image, kBitmapEndings));
+  if (a.as_floor && name.find_first_of("\"\\") != name.npos)
+    throw InputError(fmt::format("--bitmap: {}: a name with quotes or backslashes is no layout's", a.image));
 }
 
 /// Whether the default segmenter takes the colour for paint.
@@ -36,16 +47,34 @@ bool is_yellow(const cv::Vec3b& bgr) {
   return (classes.of(bgr[0], bgr[1], bgr[2]) & features::kPath) != 0;
 }
 
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The layout, and beside it the image where it is the floor and not there already.
+void write(const Arguments& a, const fs::path& where, const std::string& layout) {
+  const std::string file = fs::path(a.out).filename();
+  std::error_code not_there;
+  const bool copies = a.as_floor && !fs::equivalent(a.image, where / a.options.bitmap, not_there);
+  ResultFolder folder(where, copies ? std::vector{a.options.bitmap, file} : std::vector{file});
+  if (copies) folder.write(a.options.bitmap, bytes_of(a.image));
+  folder.write(file, layout);
+  folder.publish();
+}
+
 void import_track(Arguments a) {
   check(a);
   const TrackImage image = paint_of_image(read_image(a.image), a.image);
   const fs::path out(a.out);
   a.options.name = out.stem().string();
+  if (a.as_floor) a.options.bitmap = fs::path(a.image).filename();
   const std::string text = layout_of_track(image, a.options, a.image);
-  const std::string file = out.filename().string();
-  ResultFolder folder(out.has_parent_path() ? out.parent_path() : fs::path("."), {file});
-  folder.write(file, text);
-  folder.publish();
+  write(a, folder_of(out), text);
   const vehicle::Layout layout = read_layout(out);
   fmt::print("{}: {} nodes, {} lines; fly it with: lineservo fly node:NAME --layout {}{}\n", a.out,
              layout.nodes.size(), layout.edges.size(), a.out,
@@ -64,6 +93,11 @@ void add_import_track_command(CLI::App& app) {
   command->add_option("--out", arguments->out, "the layout file (*.yaml)")->required();
   command->add_option("--start", arguments->options.start,
                       "the node of take-off (default: the dead end that is furthest to the left)");
+  command->add_flag(
+      "--bitmap", arguments->as_floor,
+      "fly on the image itself, which is copied beside the layout (default: on the traced lines)");
+  command->add_option("--start-disc", arguments->options.start_disc_m,
+                      "the radius of a red disc on the node of take-off, in metres (default: none)");
   command->callback([arguments] { import_track(*arguments); });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apps/config/input_error.h"
+#include "apps/config/layout_bitmap.h"
 #include "apps/config/yaml_reader.h"
 #include "servo/plan/dif.h"
 
@@ -33,11 +34,13 @@ class LayoutBuilder {
   Layout build() {
     const YAML::Node& root = yaml_.root();
     yaml_.allow(root,
-                {"name", "description", "floor", "line", "nodes", "edges", "start", "end_markers", "labels"},
+                {"name", "description", "floor", "bitmap", "line", "nodes", "edges", "start", "end_markers",
+                 "labels"},
                 "a layout");
     layout_.name = yaml_.text(root, "name");
     layout_.description = yaml_.text(root, "description", "no description");
     read_floor(root["floor"]);
+    layout_.bitmap = read_bitmap(yaml_);
     default_style_ = style(root["line"], LineStyle{}, {"width_m", "colour"}, "line");
     each(root, "nodes", [this](const YAML::Node& node) { read_node(node); });
     each(root, "edges", [this](const YAML::Node& edge) { read_edge(edge); });

@@ -7,7 +7,11 @@ namespace lineservo::apps {
 namespace {
 
 constexpr vehicle::Time kBlindPeriod = std::chrono::milliseconds(100);
+constexpr vehicle::Time kOver = std::chrono::seconds(1);
 constexpr int kRowStep = 16;  // rows looked at; noise and motion change every one
+
+constexpr const char* kOfTheFuture = "frames bear stamps of the future: those are not used";
+constexpr const char* kNone = "no frames come";
 
 bool shows_the_same(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size() || a.type() != b.type()) return false;
@@ -20,6 +24,7 @@ bool shows_the_same(const cv::Mat& a, const cv::Mat& b) {
 }  // namespace
 
 const char* FrameGate::fault_of(const vehicle::Frame& frame, vehicle::Time now, bool in_flight) const {
+  if (frame.stamp > now) return kOfTheFuture;
   if (last_ && frame.stamp <= last_->stamp) return "frames come out of order or twice: those are not used";
   if (now - frame.stamp > oldest_) return "frames come late: those are not used";
   if (in_flight && last_ && shows_the_same(frame.bgr, last_->bgr))
@@ -29,18 +34,28 @@ const char* FrameGate::fault_of(const vehicle::Frame& frame, vehicle::Time now, 
 
 bool FrameGate::accepts(const vehicle::Frame& frame, vehicle::Time now, bool in_flight) {
   const char* fault = fault_of(frame, now, in_flight);
-  const bool is_news = fault && fault != fault_;
-  if (is_news) news_ = fault;
-  if (fault) fault_ = fault;
-  const bool is_newer = !last_ || frame.stamp > last_->stamp;
+  note(fault, now);
+  const bool is_newer = fault != kOfTheFuture && (!last_ || frame.stamp > last_->stamp);
   if (is_newer) last_ = frame;
   if (!fault) last_good_ = now;
   return !fault;
 }
 
+// A fault that comes and goes is one: it is over when good frames alone have come for a while.
+void FrameGate::note(const char* fault, vehicle::Time now) {
+  if (fault) {
+    if (fault != fault_) news_ = fault;
+    fault_ = fault;
+    last_fault_ = now;
+  } else if (fault_ && now - last_fault_ >= kOver) {
+    news_ = "frames are good again";
+    fault_ = nullptr;
+  }
+}
+
 bool FrameGate::is_blind(vehicle::Time now) {
   if (now - last_good_ < patience_ || now - last_blind_ < kBlindPeriod) return false;
-  if (last_blind_ < last_good_ && !fault_) news_ = "no frames come";
+  note(fault_ ? fault_ : kNone, now);
   last_blind_ = now;
   return true;
 }

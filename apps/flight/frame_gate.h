@@ -23,12 +23,13 @@ class FrameGate {
   std::optional<std::string> take_news();
 
  private:
+  void note(const char* fault, vehicle::Time now);
   const char* fault_of(const vehicle::Frame& frame, vehicle::Time now, bool in_flight) const;
 
   vehicle::Time oldest_, patience_;
-  vehicle::Time last_good_{0}, last_blind_{0};
+  vehicle::Time last_good_{0}, last_blind_{0}, last_fault_{0};
   std::optional<vehicle::Frame> last_;
-  const char* fault_ = nullptr;  ///< of the last frame, or that none comes
+  const char* fault_ = nullptr;  ///< the last one, until good frames alone have come for a second
   std::optional<std::string> news_;
 };
 

@@ -1,7 +1,12 @@
 #include "apps/output/flight_folder.h"
 
+#include <fstream>
+#include <iterator>
+
 #include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
+#include "apps/config/input_error.h"
+#include "apps/config/layout_bitmap.h"
 #include "apps/config/mission_file.h"
 #include "apps/config/text_file.h"
 #include "apps/output/flight_tables.h"
@@ -25,6 +30,16 @@ void keep(ResultFolder& folder, const std::string& name, const std::optional<std
   reference = name;
 }
 
+/// The bitmap of a layout of the user's own.
+std::optional<OwnFiles::Image> own_bitmap(const std::string& layout) {
+  if (is_shipped(DataKind::layout, layout)) return std::nullopt;
+  const auto file = bitmap_file(find_data(DataKind::layout, layout));
+  if (!file) return std::nullopt;
+  std::ifstream stream(*file, std::ios::binary);
+  if (!stream) throw InputError(file->string() + ": cannot be read");
+  return OwnFiles::Image{file->filename(), {std::istreambuf_iterator<char>(stream), {}}};
+}
+
 }  // namespace
 
 const std::vector<std::string>& flight_files() {
@@ -37,7 +52,8 @@ const std::vector<std::string>& flight_files() {
 OwnFiles own_files(const FlightRequest& request) {
   const bool is_mission = is_mission_file(request.instruction);
   return {is_mission ? own_text(DataKind::mission, request.instruction) : std::nullopt,
-          own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions)};
+          own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions),
+          own_bitmap(request.layout)};
 }
 
 void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnFiles& own,
@@ -45,6 +61,7 @@ void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnF
   FlightRequest kept = request;
   keep(folder, "mission.yaml", own.mission, kept.instruction);
   keep(folder, "layout.yaml", own.layout, kept.layout);
+  if (own.bitmap) folder.write(own.bitmap->name, own.bitmap->bytes);
   keep(folder, "conditions.yaml", own.conditions, kept.conditions);
   folder.write("flight.csv", flight_csv(record));
   folder.write("events.csv", events_csv(record));

@@ -14,6 +14,10 @@ namespace lineservo::apps {
 /// repeats the flight wherever the folder is. None for what ships.
 struct OwnFiles {
   std::optional<std::string> mission, layout, conditions;
+  struct Image {
+    std::string name, bytes;
+  };
+  std::optional<Image> bitmap = {};  ///< of the layout
 };
 
 /// The names of all that a flight may leave in its folder.

@@ -102,20 +102,30 @@ class TrackWriter {
   std::string text() const {
     std::string yaml = fmt::format(
         "name: {}\ndescription: traced from a bitmap of {}×{} px at {} m a pixel\n"
-        "floor: {{colour: {}}}\nline: {{colour: {}}}\nnodes:\n",
+        "floor: {{colour: {}}}\n{}line: {{colour: {}}}\nnodes:\n",
         options_.name, image_.mask.cols, image_.mask.rows, options_.metres_per_pixel, rgb(image_.floor_bgr),
-        rgb(image_.line_bgr));
+        bitmap(), rgb(image_.line_bgr));
     for (const std::size_t k : by_name()) {
       const cv::Point2d p = metres(graph_.nodes[k]);
       yaml += fmt::format("  - {{name: {}, x_m: {:.4f}, y_m: {:.4f}}}\n", names_[k], p.x, p.y);
     }
     yaml += "edges:\n";
     for (const TrackEdge& edge : graph_.edges) yaml += edge_text(edge);
-    return yaml + fmt::format("start: {{node: {}}}\n", start());
+    return yaml + fmt::format("start: {{node: {}{}}}\n", start(), disc());
   }
 
  private:
   static std::string rgb(const cv::Vec3b& bgr) { return fmt::format("[{}, {}, {}]", bgr[2], bgr[1], bgr[0]); }
+
+  std::string bitmap() const {
+    if (options_.bitmap.empty()) return {};
+    return fmt::format("bitmap: {{file: \"{}\", metres_per_pixel: {}}}\n", options_.bitmap,
+                       options_.metres_per_pixel);
+  }
+
+  std::string disc() const {
+    return options_.start_disc_m > 0.0 ? fmt::format(", marker_radius_m: {}", options_.start_disc_m) : "";
+  }
 
   cv::Point2d metres(const cv::Point2d& px) const {
     return options_.metres_per_pixel * cv::Point2d(px.x, image_.mask.rows - 1 - px.y);

@@ -12,6 +12,8 @@ struct TrackImportOptions {
   std::string name;               ///< of the layout
   double metres_per_pixel = 0.0;  ///< 1e-4 … 1
   std::string start;              ///< a node's name; empty: the dead end that is furthest to the left
+  double start_disc_m = 0.0;      ///< radius of the red disc on the start; 0: none
+  std::string bitmap;             ///< the image beside the layout that is the floor; empty: lines are painted
 };
 
 /// What an image shows.

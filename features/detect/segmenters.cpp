@@ -21,7 +21,7 @@ SteadyOptions beside_red_markers() {
 }  // namespace
 
 std::vector<std::string_view> segmenter_names() {
-  return {"hsv", "any-light", "difference", "svm", "auto"};
+  return {"hsv", "any-light", "yellow-white", "difference", "svm", "auto"};
 }
 
 bool is_fast(const SegmenterChoice& choice) {
@@ -39,12 +39,14 @@ SegmenterOptions ranges_of(const SegmenterChoice& choice, const SegmenterOptions
 std::unique_ptr<Segmenter> make_segmenter(const SegmenterChoice& choice) {
   if (choice.name == "hsv") return std::make_unique<HsvSegmenter>(choice.color);
   if (choice.name == "any-light") return std::make_unique<HsvSegmenter>(any_light_ranges());
+  if (choice.name == "yellow-white")
+    return std::make_unique<PaintsSegmenter>(std::vector{LineColor::yellow, LineColor::white});
   if (choice.name == "difference") return std::make_unique<DifferenceSegmenter>(choice.difference);
   if (choice.name == "svm")
     return std::make_unique<SvmSegmenter>(ColorSvm::from_text(std::string(choice.svm_model)));
   if (choice.name == "auto") return std::make_unique<SteadySegmenter>(beside_red_markers());
   throw std::invalid_argument("no segmenter '" + std::string(choice.name) +
-                              "'; there are: hsv, any-light, difference, svm, auto");
+                              "'; there are: hsv, any-light, yellow-white, difference, svm, auto");
 }
 
 }  // namespace lineservo::features

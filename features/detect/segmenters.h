@@ -19,8 +19,8 @@ struct SegmenterChoice {
   DifferenceOptions difference = {};    ///< for difference
 };
 
-/// hsv (topology), any-light (ours; yellow by hue and chroma), difference (vtp; red), svm (grid) and auto
-/// (ours; any colour but the start marker's red).
+/// hsv (topology), any-light (ours; yellow by hue and chroma), yellow-white (ours; both at once by fixed
+/// bounds), difference (vtp; red), svm (grid) and auto (ours; any one colour but the start marker's red).
 std::vector<std::string_view> segmenter_names();
 
 /// Whether bounds on colours are all of it, so that PathSegmenter does it.

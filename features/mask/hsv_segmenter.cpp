@@ -1,5 +1,7 @@
 #include "features/mask/hsv_segmenter.h"
 
+#include "features/mask/mask_filter.h"
+
 namespace lineservo::features {
 
 SegmenterOptions hsv_preset(LineColor color) {
@@ -31,6 +33,18 @@ PackedMask HsvSegmenter::segment(const cv::Mat& image, cv::Size mask_size) {
   PathSegmenter segmenter(options);
   const Segmentation& found = segmenter.segment(as_bgr(image));
   return with_marker_ ? found.paint : found.path;
+}
+
+PaintsSegmenter::PaintsSegmenter(const std::vector<LineColor>& colors) {
+  for (const LineColor color : colors) paints_.emplace_back(color);
+}
+
+PackedMask PaintsSegmenter::segment(const cv::Mat& image, cv::Size mask_size) {
+  require_segmentable(image, mask_size);
+  PackedMask mask(mask_size.width, mask_size.height);
+  for (HsvSegmenter& paint : paints_) mask |= paint.segment(image, mask_size);
+  MaskFilter(mask.width(), mask.height()).close_5x5(mask, mask);
+  return mask;
 }
 
 }  // namespace lineservo::features

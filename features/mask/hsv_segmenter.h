@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "features/mask/line_color.h"
 #include "features/mask/path_segmenter.h"
 #include "features/mask/segmenter.h"
@@ -21,6 +23,17 @@ class HsvSegmenter : public Segmenter {
  private:
   SegmenterOptions bounds_;
   bool with_marker_ = false;  ///< red is on both sides of hue 0
+};
+
+/// Fixed HSV bounds of several paints at once: what any of them takes, closed where two paints meet.
+class PaintsSegmenter : public Segmenter {
+ public:
+  explicit PaintsSegmenter(const std::vector<LineColor>& colors);
+
+  PackedMask segment(const cv::Mat& image, cv::Size mask_size) override;
+
+ private:
+  std::vector<HsvSegmenter> paints_;
 };
 
 }  // namespace lineservo::features

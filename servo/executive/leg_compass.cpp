@@ -1,5 +1,6 @@
 #include "servo/executive/leg_compass.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lineservo::servo {
@@ -12,8 +13,9 @@ double LegCompass::off_rad(const Observation& observation, const features::LineF
 
 std::size_t LegCompass::straight_on(const Observation& observation) {
   const auto& lines = observation.features.lines;
-  const double dt_s = heading_rad_ ? seconds(observation.captured - last_) : 0.0;
-  last_ = observation.captured;
+  const Time captured = std::max(last_, observation.captured);  // a frame out of order takes no time
+  const double dt_s = heading_rad_ ? seconds(captured - last_) : 0.0;
+  last_ = captured;
   if (!line_to_follow(observation)) return 0;
   if (!heading_rad_) heading_rad_ = observation.odometry_at_capture.yaw_rad - lines.front().theta_rad;
   for (std::size_t k = 0; k < lines.size(); ++k) {

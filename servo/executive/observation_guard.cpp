@@ -61,6 +61,8 @@ void copy_estimates(const Observation& from, Observation& to) {
   to.height_m = from.height_m;
   to.capture_height_m = from.capture_height_m;
   to.v_H_m_s = from.v_H_m_s;
+  to.height_age_s = from.height_age_s;
+  to.velocity_age_s = from.velocity_age_s;
 }
 
 }  // namespace
@@ -77,7 +79,8 @@ bool is_finite(const FrameFeatures& f) {
 
 bool has_finite_estimates(const Observation& o) {
   return finite(o.odometry_now) && finite(o.odometry_at_capture) && finite(o.height_m) &&
-         finite(o.capture_height_m) && o.v_H_m_s.allFinite();
+         finite(o.capture_height_m) && o.v_H_m_s.allFinite() && finite(o.height_age_s) &&
+         finite(o.velocity_age_s);
 }
 
 const Observation& ObservationGuard::checked(const Observation& observation) {

@@ -55,7 +55,11 @@ double first_height_m(const SensorReadings& first) {
 }  // namespace
 
 Estimator::Estimator(const SensorParameters& parameters, const SensorReadings& first)
-    : guard_(first),
+    : Estimator(parameters, ReadingGuard(first), ReadingGuard(first).checked(first, 0.0, 0.0)) {}
+
+Estimator::Estimator(const SensorParameters& parameters, const ReadingGuard& guard,
+                     const SensorReadings& first)
+    : guard_(guard),
       tilt_(first.roll_rad, first.pitch_rad),
       v_x_(velocity_filter(parameters)),
       v_y_(velocity_filter(parameters)),

@@ -12,7 +12,7 @@ namespace lineservo::vehicle {
 /// the accelerometer and is corrected by the flow; the height follows it and is corrected by the range.
 class Estimator {
  public:
-  /// From the first readings, taken at rest.
+  /// From the first readings, taken at rest; level on the floor for what they do not tell.
   Estimator(const SensorParameters& parameters, const SensorReadings& first);
 
   /// Whatever comes, the estimate stays finite.
@@ -20,6 +20,7 @@ class Estimator {
   const Estimate& estimate() const { return estimate_; }
 
  private:
+  Estimator(const SensorParameters& parameters, const ReadingGuard& guard, const SensorReadings& first);
   void predict(const Eigen::Vector3d& a_H_m_s2, double yaw_step_rad);
   void turn_horizontal_axes(double yaw_step_rad);
   void correct(const SensorReadings& readings);

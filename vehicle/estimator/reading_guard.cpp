@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "vehicle/body/airframe.h"
+
 namespace lineservo::vehicle {
 namespace {
 
@@ -18,6 +20,12 @@ bool is_possible(const Eigen::Vector3d& v, double most) {
 }
 
 }  // namespace
+
+ReadingGuard::ReadingGuard(const SensorReadings& first) : last_(first) {
+  if (!is_possible(first.gyro_B_rad_s, kMostRate_rad_s)) last_.gyro_B_rad_s.setZero();
+  if (!is_possible(first.specific_force_B_m_s2, kMostForce_m_s2))
+    last_.specific_force_B_m_s2 = kGravity_m_s2 * Eigen::Vector3d::UnitZ();
+}
 
 SensorReadings ReadingGuard::checked(SensorReadings readings, double roll_rad, double pitch_rad) {
   check_range(readings);  // looks at whether the body moves

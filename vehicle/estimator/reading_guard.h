@@ -6,10 +6,11 @@ namespace lineservo::vehicle {
 
 /// The door of the estimator: what comes through is finite and possible. A flow or range that is not counts
 /// as one that did not come, and so does a range that stays the same to the last bit while the body moves. An
-/// inertial reading is needed in every period: the last good one stands in.
+/// inertial reading is needed in every period: the last good one stands in, before any that of a body at
+/// rest.
 class ReadingGuard {
  public:
-  explicit ReadingGuard(const SensorReadings& first) : last_(first) {}
+  explicit ReadingGuard(const SensorReadings& first);
 
   /// `roll_rad` and `pitch_rad` stand in for a levelled attitude that does not come.
   SensorReadings checked(SensorReadings readings, double roll_rad, double pitch_rad);

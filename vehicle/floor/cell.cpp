@@ -21,13 +21,14 @@ bool narrow(const CrossedShape& whole, const RayRect& rect, CrossedShape& part) 
 // A shape that covers everything hides what is below it.
 void cover(const Bgr& colour, Cell& cell) {
   cell.base = colour;
+  cell.bitmap = nullptr;
   cell.shapes.clear();
 }
 
 }  // namespace
 
 bool Cell::has_single_border() const {
-  if (shapes.empty()) return false;
+  if (shapes.empty() || bitmap) return false;
   const CrossedShape& first = shapes.front();
   return std::all_of(shapes.begin(), shapes.end(), [&first](const CrossedShape& shape) {
     return shape.border_count == 1 && shape.borders[0]->id == first.borders[0]->id &&
@@ -37,6 +38,7 @@ bool Cell::has_single_border() const {
 
 void narrow(const Cell& whole, const RayRect& rect, Cell& part) {
   cover(whole.base, part);
+  part.bitmap = whole.bitmap;
   CrossedShape crossed;
   for (const CrossedShape& shape : whole.shapes) {
     if (!narrow(shape, rect, crossed)) continue;

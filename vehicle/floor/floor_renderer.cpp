@@ -21,6 +21,14 @@ const Layout& sound(const Layout& layout) {
   return layout;
 }
 
+/// The markers lie on top.
+std::vector<PaintShape> visible_paint(const Layout& layout) {
+  std::vector<PaintShape> paint = paint_of(layout);
+  const std::size_t markers = layout.start_markers.size() + layout.end_markers.size();
+  if (layout.bitmap) paint.erase(paint.begin(), paint.end() - static_cast<std::ptrdiff_t>(markers));
+  return paint;
+}
+
 // The part of the image under some tiles of one row.
 struct Block {
   int x, y, width, height;
@@ -66,11 +74,14 @@ struct FloorRenderer::FlatRun {
 FloorRenderer::FloorRenderer(const Layout& layout, const features::CameraModel& camera, const FloorLook& look,
                              std::uint64_t seed)
     : grid_(camera),
-      paint_(paint_of(sound(layout))),
+      paint_(visible_paint(sound(layout))),
       markers_(layout.start_markers.size() + layout.end_markers.size()),
       floor_colour_(layout.floor_colour),
+      ray_per_pixel_(1.0 / camera.parameters().fx_px),
       decals_(layout, look.wear, seed, look.repaint),
-      light_(camera, look.light, seed) {}
+      light_(camera, look.light, seed) {
+  if (layout.bitmap) bitmap_.emplace(layout.bitmap, layout.floor_colour);
+}
 
 void FloorRenderer::render(const Eigen::Isometry3d& X_WC, cv::Mat& bgr) {
   shutter_ = nullptr;
@@ -104,6 +115,8 @@ void FloorRenderer::look_from(const Eigen::Isometry3d& X_WC) {
   next_border_ = borders_.data();
   scene_.base = floor_colour_;
   scene_.shapes.clear();
+  if (bitmap_) bitmap_->look_from(X_WC, ray_per_pixel_);
+  scene_.bitmap = bitmap_ ? &*bitmap_ : nullptr;
   add_paint(view, 0, paint_.size() - markers_);
   add_decals(view, decals_.holes());
   add_paint(view, paint_.size() - markers_, paint_.size());

@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <vector>
 
 #include "features/geometry/camera_model.h"
+#include "vehicle/floor/bitmap_view.h"
 #include "vehicle/floor/cell.h"
 #include "vehicle/floor/decals.h"
 #include "vehicle/floor/floor_look.h"
@@ -20,7 +22,8 @@ namespace lineservo::vehicle {
 /// Draws the painted floor as a camera sees it, anti-aliased by area, in three steps kept apart: the paint as
 /// shapes in W (once), their borders in the image (per pose), and the pixels (per tile that a border crosses;
 /// all else is filled). How stripes join at nodes: see stripes.h. Wear, dirt and objects are shapes among the
-/// others, out to ten heights from the vehicle's foot; the light goes over the pixels at the end.
+/// others, out to ten heights from the vehicle's foot; the light goes over the pixels at the end. A layout's
+/// bitmap is drawn in the place of its stripes, pixel by pixel, which takes longer.
 class FloorRenderer {
  public:
   /// The layout must be sound: throws std::invalid_argument that lists its faults, or names what is out of
@@ -57,6 +60,8 @@ class FloorRenderer {
   std::vector<PaintShape> paint_;
   std::size_t markers_;  ///< the last of the paint
   Bgr floor_colour_;
+  double ray_per_pixel_;
+  std::optional<BitmapView> bitmap_;
   Decals decals_;
   LightPass light_;
   // Of the pose at hand; kept for their memory.

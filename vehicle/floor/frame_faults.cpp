@@ -18,7 +18,9 @@ void FrameFaults::spoil_image(Frame& frame) {
   const bool freezes = options_.frozen.holds(frame.stamp) && !last_.empty();
   if (freezes) frame.bgr = last_;
   if (options_.frozen.is_set()) last_ = frame.bgr;
-  if (options_.black.holds(frame.stamp)) frame.bgr = cv::Mat::zeros(frame.bgr.size(), frame.bgr.type());
+  // A new image: zeros() assigned would be written into the pixels that others hold.
+  if (options_.black.holds(frame.stamp))
+    frame.bgr = cv::Mat(frame.bgr.size(), frame.bgr.type(), cv::Scalar());
 }
 
 std::optional<Frame> FrameFaults::deliver(Time now) {

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "vehicle/floor/curve.h"
+#include "vehicle/floor/floor_bitmap.h"
 
 namespace lineservo::vehicle {
 
@@ -45,6 +47,8 @@ struct Layout {
   std::size_t start = 0;                      ///< node of take-off
   std::map<std::string, std::size_t> labels;  ///< DIF → node
   Bgr floor_colour = {120, 120, 120};
+  /// What is seen in the place of the edges, which then are the truth alone. Markers lie on it.
+  std::shared_ptr<const FloorBitmap> bitmap = {};
 };
 
 /// Places and radii beyond these are refused: drawing in single precision is exact to 0.1 mm within them.

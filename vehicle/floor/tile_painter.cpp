@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vehicle/floor/bitmap_view.h"
 #include "vehicle/floor/clones.h"
 #include "vehicle/floor/shutter_options.h"
 
@@ -257,10 +258,15 @@ float mean(const SamplePlane& plane) {
   return sum / kSamples;
 }
 
+void start_from(const BitmapView::Colour& colour, Samples& samples) {
+  for (std::size_t c = 0; c < 3; ++c) samples.bgr[c].fill(colour[c]);
+}
+
 void sample_pixel(const TileRays& rays, const Cell& cell, std::size_t pixel, Layers& layers) {
   Samples samples;
   place_samples(rays, pixel, samples);
   for (std::size_t c = 0; c < 3; ++c) samples.bgr[c].fill(static_cast<float>(cell.base[c]));
+  if (cell.bitmap) start_from(cell.bitmap->at(rays.x[pixel], rays.y[pixel]), samples);
   SamplePlane painted;
   for (const CrossedShape& shape : cell.shapes) {
     painted.fill(1.0F);
@@ -272,8 +278,10 @@ void sample_pixel(const TileRays& rays, const Cell& cell, std::size_t pixel, Lay
   for (std::size_t c = 0; c < 3; ++c) layers.bgr[c][pixel] = mean(samples.bgr[c]);
 }
 
-void start_from(const Bgr& base, Layers& layers) {
-  for (std::size_t c = 0; c < 3; ++c) layers.bgr[c].fill(static_cast<float>(base[c]));
+void start_from(const Cell& cell, const TileRays& rays, Layers& layers) {
+  auto& bgr = layers.bgr;
+  if (cell.bitmap) return cell.bitmap->colours(rays, bgr[0].data(), bgr[1].data(), bgr[2].data());
+  for (std::size_t c = 0; c < 3; ++c) bgr[c].fill(static_cast<float>(cell.base[c]));
 }
 
 LINESERVO_CLONES int most_crossings(const float* crossings) {
@@ -301,7 +309,7 @@ void paint_single_border(const Instants& instants, const Cell& cell, Layers& lay
     }
   });
   if (instants.count > 1) scale(1.0F / static_cast<float>(instants.count), mean.data());
-  start_from(cell.base, layers);
+  start_from(cell, instants.middle(), layers);
   for (std::size_t c = 0; c < 3; ++c)
     lay(mean.data(), static_cast<float>(shape.colour[c]), layers.bgr[c].data());
 }
@@ -310,7 +318,7 @@ void paint_single_border(const Instants& instants, const Cell& cell, Layers& lay
 void paint_shapes(const Instants& instants, const Cell& cell, Layers* layers) {
   std::array<ShapeCoverage, ShutterOptions::kMostSamples> covered;
   for (int k = 0; k < instants.count; ++k) {
-    start_from(cell.base, layers[k]);
+    start_from(cell, instants.rays[k], layers[k]);
     layers[k].crossings.fill(0.0F);
   }
   for (const CrossedShape& shape : cell.shapes) lay_shape(instants, shape, covered.data(), layers);

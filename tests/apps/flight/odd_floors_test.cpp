@@ -95,5 +95,37 @@ TEST(OddFloor, TheYardThatShipsIsFlown) {
   EXPECT_EQ(fly_mission(prepare(request)).summary.outcome, "arrived");
 }
 
+// A yellow aisle with white ways off it and a yellow one off those, of two widths.
+TEST(TwoColours, AYellowAndWhiteFloorIsFlown) {
+  const testing::TempFolder temp;
+  FlightRequest request;
+  request.layout =
+      temp.write(
+              "two.yaml",
+              "name: two\nline: {width_m: 0.1}\nnodes:\n"
+              "  - {name: s, x_m: 0, y_m: 0}\n  - {name: m, x_m: 2, y_m: 0}\n  - {name: r, x_m: 4, y_m: 0}\n"
+              "  - {name: t, x_m: 2, y_m: 1.5}\n  - {name: u, x_m: 2, y_m: 3}\n  - {name: v, x_m: 0.5, y_m: "
+              "1.5}\n"
+              "edges:\n  - {from: s, to: m}\n  - {from: m, to: r}\n  - {from: t, to: v}\n"
+              "  - {from: m, to: t, colour: [235, 235, 235], width_m: 0.06}\n"
+              "  - {from: t, to: u, colour: [235, 235, 235], width_m: 0.06}\nstart: {node: s}\n")
+          .string();
+  apply_conditions(request, "paper");
+  apply_override(request, "speed_m_s=0.3");
+  apply_override(request, "features.segmenter=yellow-white");
+  for (const std::string target : {"r", "u", "v"}) {
+    for (const std::uint64_t seed : {21u, 22u}) {
+      SCOPED_TRACE(target + ", seed " + std::to_string(seed));
+      request.instruction = "node:" + target;
+      request.seed = seed;
+      const FlownMission flown = fly_mission(prepare(request));
+      EXPECT_EQ(flown.summary.outcome, "arrived");
+      ASSERT_TRUE(flown.summary.rest);
+      EXPECT_LT(flown.summary.rest->target_error_m, 0.03);
+      EXPECT_LT(flown.summary.track.all.rmse_m, 0.03);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lineservo::apps

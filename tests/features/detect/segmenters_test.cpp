@@ -54,6 +54,15 @@ TEST(AnyLight, HasBoundsOfItsOwnAndTheSizeThatIsGiven) {
   EXPECT_FALSE(is_fast({.name = "auto"}));
 }
 
+TEST(YellowWhite, TakesBothWithoutASeamAndNeitherRedNorBlack) {
+  const auto segmenter = make_segmenter({.name = "yellow-white"});
+  cv::Mat floor = stripe(kGrey, {30, 190, 220});
+  floor(cv::Rect(40, 0, 24, 32)).setTo(cv::Scalar(235, 235, 235));
+  EXPECT_EQ(segmenter->segment(floor, {96, 64}), columns(40, 64));
+  EXPECT_EQ(segmenter->segment(stripe(kGrey, {40, 35, 200}), {96, 64}), columns(0, 0));
+  EXPECT_EQ(segmenter->segment(stripe(kGrey, {30, 30, 30}), {96, 64}), columns(0, 0));
+}
+
 TEST(HsvSegmenter, TakesGreyImages) {
   cv::Mat grey(64, 96, CV_8UC1, cv::Scalar(100));
   grey(cv::Rect(40, 0, 24, 64)).setTo(230);
@@ -82,7 +91,7 @@ TEST(DifferenceSegmenter, RefusesOptionsOutOfBounds) {
 }
 
 TEST(Segmenters, EachHasTheSizeThatWasAskedFor) {
-  for (const std::string_view name : {"hsv", "any-light", "difference", "auto"}) {
+  for (const std::string_view name : {"hsv", "any-light", "yellow-white", "difference", "auto"}) {
     const PackedMask mask =
         make_segmenter({.name = std::string(name)})->segment(stripe(kGrey, {20, 40, 200}), {48, 32});
     EXPECT_EQ(mask.width(), 48) << name;
@@ -91,7 +100,7 @@ TEST(Segmenters, EachHasTheSizeThatWasAskedFor) {
 }
 
 TEST(Segmenters, RefuseWhatTheyCannotTake) {
-  for (const std::string_view name : {"hsv", "any-light", "difference", "auto"}) {
+  for (const std::string_view name : {"hsv", "any-light", "yellow-white", "difference", "auto"}) {
     const auto segmenter = make_segmenter({.name = std::string(name)});
     EXPECT_THROW(segmenter->segment(cv::Mat(), {64, 64}), std::invalid_argument) << name;
     EXPECT_THROW(segmenter->segment(cv::Mat(64, 64, CV_32FC1), {64, 64}), std::invalid_argument) << name;

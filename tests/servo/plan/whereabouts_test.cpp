@@ -78,5 +78,64 @@ TEST(Whereabouts, AWrongTurnShowsByTheCodesThatFollow) {
   EXPECT_GT(whereabouts.best()->probability, at_first);
 }
 
+// A probability over all that it may be.
+TEST(Whereabouts, IsAlwaysAProbability) {
+  Whereabouts whereabouts = on_first_row();
+  const NodeSignature told[] = {kTeeLeft, kCross, {JunctionCode::straight, JunctionCode::straight, true}};
+  for (int k = 0; k < 60; ++k) {
+    whereabouts.tell(told[k % 3], {0.4 * (k % 7), 0.5 * (k % 7) + 0.1});
+    double on_nodes = 0.0;
+    for (const TopologyNode& node : whereabouts.floor()->nodes) on_nodes += whereabouts.on_node(node.name);
+    ASSERT_TRUE(whereabouts.best().has_value()) << k;
+    EXPECT_LE(on_nodes, 1.0 + 1e-9);
+    EXPECT_GT(whereabouts.best()->probability, 0.0);
+    EXPECT_LE(whereabouts.best()->probability, 1.0 + 1e-9);
+    whereabouts.leave(k % 2 == 0 ? 0.0 : kLeft_rad);
+  }
+}
+
+TEST(Whereabouts, KnowsNoNodeOfAnotherName) {
+  Whereabouts whereabouts = on_first_row();
+  whereabouts.tell(kTeeLeft, {3.5, 3.7});
+  EXPECT_EQ(whereabouts.on_node("nowhere"), 0.0);
+  EXPECT_EQ(whereabouts.on_node(""), 0.0);
+}
+
+// Bayes by hand, but for other edges at the start: a node told right against a ghost.
+TEST(Whereabouts, WeighsANodeAgainstAGhost) {
+  const WhereaboutsOptions o;
+  Whereabouts whereabouts = on_first_row();
+  whereabouts.tell(kTeeLeft, {3.5, 3.7});
+  EXPECT_NEAR(whereabouts.on_node("a10"), o.told_right / (o.told_right + o.ghost), 2e-3);
+}
+
+// The way adds up over ghosts: what was no node is still on the way to one.
+TEST(Whereabouts, AGhostOnTheWayDoesNotShortenTheEdge) {
+  Whereabouts whereabouts = on_first_row();
+  whereabouts.tell(kTeeLeft, {1.1, 1.3});
+  ASSERT_EQ(node_of(whereabouts), "none");
+  whereabouts.leave(0.0);
+  whereabouts.tell(kTeeLeft, {2.3, 2.5});
+  EXPECT_EQ(node_of(whereabouts), "a10");
+}
+
+TEST(Whereabouts, WayThatIsNotKnownTellsByTheCodeAlone) {
+  Whereabouts whereabouts = on_first_row();
+  whereabouts.tell(kTeeLeft, {0.0, 1e6});
+  EXPECT_EQ(node_of(whereabouts), "a10");
+}
+
+// Nothing is told while it is on a node: it has to leave it first.
+TEST(Whereabouts, ATurnLeadsAlongTheArmThatItEndsOn) {
+  Whereabouts whereabouts = on_first_row();
+  whereabouts.tell(kTeeLeft, {3.5, 3.7});
+  whereabouts.leave(kLeft_rad + 0.3);
+  const auto best = whereabouts.best();
+  ASSERT_TRUE(best.has_value());
+  EXPECT_FALSE(best->on_node);
+  EXPECT_EQ(whereabouts.floor()->nodes[whereabouts.arm(best->arm).to].name, "a11");
+  EXPECT_EQ(whereabouts.on_node("a10"), 0.0);
+}
+
 }  // namespace
 }  // namespace lineservo::servo

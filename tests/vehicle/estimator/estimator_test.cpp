@@ -113,5 +113,24 @@ TEST(Estimator, YawIsTheIntegralOfTheGyroAndCountsOn) {
   EXPECT_NEAR(estimator.estimate().yaw_rad, 0.3 * 20.0, 1e-9);
 }
 
+TEST(Estimator, IsFiniteWhateverTheFirstReadingsSay) {
+  const double nan = std::nan("");
+  SensorReadings first;
+  first.gyro_B_rad_s.setConstant(nan);
+  first.specific_force_B_m_s2.setConstant(nan);
+  first.roll_rad = first.pitch_rad = nan;
+  first.range_m = nan;
+  first.flow_v_H_m_s = Eigen::Vector2d(nan, nan);
+  const SensorParameters parameters;
+  Estimator estimator(parameters, first);
+  Sensors sensors(parameters, 1, hover(0.0));
+  for (int i = 1; i < 2000; ++i) {
+    estimator.update(sensors.sample(i * kInertialPeriod, hover(0.0)));
+    const Estimate& e = estimator.estimate();
+    ASSERT_TRUE(e.v_H_m_s.allFinite() && std::isfinite(e.height_m) && std::isfinite(e.yaw_rad)) << i;
+  }
+  EXPECT_NEAR(estimator.estimate().height_m, 0.5, 0.02);
+}
+
 }  // namespace
 }  // namespace lineservo::vehicle
