@@ -21,6 +21,7 @@
 #include "apps/cli/test_command.h"
 #include "apps/cli/train_command.h"
 #include "apps/cli/tune_command.h"
+#include "apps/cli/watch_command.h"
 #include "apps/config/input_error.h"
 #include "apps/version.h"
 
@@ -70,6 +71,7 @@ int run(int argc, char** argv) try {
   add_compare_command(app, exit_code);
   add_detect_command(app, exit_code);
   add_evaluate_command(app, exit_code);
+  add_watch_command(app, exit_code);
   add_replay_command(app, exit_code);
   add_import_track_command(app);
   add_calibrate_command(app);
