@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "apps/calibrate/camera_text.h"
+#include "apps/config/input_error.h"
 #include "apps/watch/watch_table.h"
 
 namespace lineservo::apps {
@@ -26,6 +27,9 @@ WatchResults::WatchResults(const std::optional<std::string>& out, const std::opt
 
 void WatchResults::begin_recording(const std::string& folder, const std::string& source,
                                    const OpenWatch& opened) {
+  std::error_code error;
+  if (std::filesystem::equivalent(folder, source, error))
+    throw InputError("watch: --record " + folder + ": is the source itself");
   record_.emplace(
       folder, std::vector<std::string>{kRecordingInfo, kRecordingTable, kRecordingCamera, kConfig, kTable});
   RecordingInfo info;
