@@ -1,6 +1,6 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "apps/onboard/tick_input.h"
@@ -31,10 +31,5 @@ class Estimates {
   std::string name_;
   bool is_constant_ = false;
 };
-
-/// Reads a CSV file whose header names t_s and height_m, and any of roll_rad, pitch_rad, yaw_rad,
-/// forward_m_s, left_m_s, up_m_s; other columns do not count. Times are those of the frames: seconds since
-/// the first one. Velocity and yaw are integrated to the odometry. Throws InputError with the line.
-Estimates read_estimates(const std::filesystem::path& file);
 
 }  // namespace lineservo::apps

@@ -9,7 +9,7 @@
 #include "apps/config/settings_table.h"
 #include "apps/flight/convert.h"
 #include "apps/grabber/load_grabbers.h"
-#include "apps/watch/estimates.h"
+#include "apps/watch/estimates_file.h"
 #include "apps/watch/grabber_feed.h"
 #include "apps/watch/recording_feed.h"
 #include "apps/watch/sim_feed.h"
