@@ -18,6 +18,7 @@
 #include "apps/output/flight_summary.h"
 #include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
+#include "apps/recording/recorder.h"
 
 namespace lineservo::apps {
 namespace {
@@ -27,7 +28,7 @@ struct FlyArguments {
   std::string target;
   std::optional<std::string> controller, layout, conditions, config, out, seed, speed;
   std::vector<std::string> overrides;
-  bool land = false, tuned = false, explain = false, json = false;
+  bool land = false, tuned = false, explain = false, json = false, record = false;
 };
 
 void refuse_two_speeds(const FlyArguments& a) {
@@ -59,6 +60,21 @@ FlightRequest request_of(const FlyArguments& a) {
   return request;
 }
 
+RecordingInfo recording_of(const FlightRequest& request) {
+  RecordingInfo info;
+  info.source = request.instruction;
+  info.controllers = {request.controller};
+  return info;
+}
+
+TickListener listener_for(std::optional<Recorder>& recorder) {
+  if (!recorder) return {};
+  return [&recorder](const FlightTick& tick) {
+    const ChainOutput output{tick.features, tick.command};
+    recorder->add(tick.input, tick.bgr, {&output, 1});
+  };
+}
+
 int fly(const FlyArguments& arguments) {
   const Mission mission = prepare(request_of(arguments));
   const FlightRequest& request = mission.request;
@@ -68,15 +84,22 @@ int fly(const FlyArguments& arguments) {
   }
   std::optional<ResultFolder> folder;
   if (arguments.out) folder.emplace(*arguments.out, flight_files());
+  std::optional<Recorder> recorder;
+  if (arguments.record) recorder.emplace(*folder, recording_of(request));
   const OwnFiles own = own_files(request);
 
   watch_for_interrupt();
   ProgressLine line(request.instruction);
-  const auto [record, summary] = fly_mission(mission, [&line](const FlightProgress& progress) {
-    line.show(progress);
-    return !interrupted();
-  });
+  const auto [record, summary] = fly_mission(
+      mission,
+      [&line](const FlightProgress& progress) {
+        line.show(progress);
+        return !interrupted();
+      },
+      listener_for(recorder));
   line.clear();
+  if (recorder) recorder->write();
+  if (folder && !recorder) leave_out_recording(*folder);
   if (folder) write_flight(*folder, request, own, record, summary);
   if (arguments.json) {
     fmt::print("{}", json_text(to_json(request, summary), 2));
@@ -123,6 +146,11 @@ void add_fly_command(CLI::App& app, int& exit_code) {
       "--out", a.out,
       "folder for summary.json, flight.csv, events.csv, config.yaml, and mission.yaml, layout.yaml and "
       "conditions.yaml when they are your own");
+  command
+      ->add_flag("--record", a.record,
+                 "keep the frames, estimates and commands in the folder of --out, each with its hash, for "
+                 "lineservo replay and watch")
+      ->needs(out);
   CLI::Option* json = command->add_flag("--json", a.json, "print summary.json instead of the short report");
   for (CLI::Option* other : {out, json}) explain->excludes(other);
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });

@@ -17,9 +17,11 @@
 #include "apps/cli/fly_command.h"
 #include "apps/cli/import_track_command.h"
 #include "apps/cli/list_commands.h"
+#include "apps/cli/replay_command.h"
 #include "apps/cli/test_command.h"
 #include "apps/cli/train_command.h"
 #include "apps/cli/tune_command.h"
+#include "apps/cli/watch_command.h"
 #include "apps/config/input_error.h"
 #include "apps/version.h"
 
@@ -69,6 +71,8 @@ int run(int argc, char** argv) try {
   add_compare_command(app, exit_code);
   add_detect_command(app, exit_code);
   add_evaluate_command(app, exit_code);
+  add_watch_command(app, exit_code);
+  add_replay_command(app, exit_code);
   add_import_track_command(app);
   add_calibrate_command(app);
   add_list_commands(app);

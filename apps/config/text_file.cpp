@@ -71,4 +71,12 @@ std::string read_text_file(const std::filesystem::path& file) {
   return text;
 }
 
+std::string read_bytes(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) throw InputError(file.string() + ": not a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file.string() + ": cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 }  // namespace lineservo::apps

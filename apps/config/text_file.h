@@ -13,4 +13,7 @@ bool is_utf8(std::string_view text);
 /// than 1 MiB or is not UTF-8.
 std::string read_text_file(const std::filesystem::path& file);
 
+/// All bytes of a file of any size. Throws InputError when it is no file or cannot be read.
+std::string read_bytes(const std::filesystem::path& file);
+
 }  // namespace lineservo::apps

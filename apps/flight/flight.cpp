@@ -25,7 +25,6 @@ constexpr std::uint64_t kLatencyStream = 1001;
 
 constexpr Time kEstimatePeriod = std::chrono::milliseconds(5);
 constexpr Time kCommandHolds = std::chrono::milliseconds(300);
-constexpr double kLowestHeight_m = 0.05;  // the law never divides by less
 
 /// Processor time of this thread: what other threads and programs do does not count.
 double thread_cpu_s() {
@@ -122,10 +121,6 @@ std::string_view name(vehicle::AutopilotMode mode) {
   return "?";
 }
 
-const servo::Controller& controller_of(const FlightRequest& request) {
-  return servo::find_controller(request.controller);
-}
-
 }  // namespace
 
 Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan)
@@ -136,32 +131,32 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
       camera_(floor, camera_options(request.settings, request.seed), request.seed),
       frame_faults_(request.settings.faults.frames),
       gate_(oldest_frame(request.settings.camera), patience(request.settings.camera)),
-      perception_(features::CameraModel(camera_parameters(request.settings.camera)),
-                  perception_options(request.settings.features, controller_of(request))),
-      executive_(plan,
-                 spoilt(controller_of(request).make(request.settings.laws), request.settings.faults.software),
-                 controller_of(request).traits, executive_options(request.settings, request.land)),
+      chain_(request, plan),
       latency_known_(draw_known_latency(request)),
-      time_limit_s_(request.settings.time_limit_s * static_cast<double>(target_steps(plan).size())),
-      software_faults_(software_faults(request.settings.faults)) {}
+      time_limit_s_(request.settings.time_limit_s * static_cast<double>(target_steps(plan).size())) {}
 
 FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {
   const Clock::time_point begin = Clock::now();
   Time next_report{0};
-  while (!is_over()) {
-    advance();
-    expose();
-    control();
+  while (step()) {
     if (progress && quadrotor_.now() >= next_report) {
       next_report += std::chrono::seconds(1);
-      record_.interrupted =
-          !progress({vehicle::seconds(quadrotor_.now()), executive_.phase(),
-                     static_cast<int>(executive_.step()), static_cast<int>(executive_.plan().steps.size())});
+      record_.interrupted = !progress({vehicle::seconds(quadrotor_.now()), chain_.executive().phase(),
+                                       static_cast<int>(chain_.executive().step()),
+                                       static_cast<int>(chain_.executive().plan().steps.size())});
     }
   }
   finish();
   record_.timing.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
   return std::move(record_);
+}
+
+bool Flight::step() {
+  if (is_over()) return false;
+  advance();
+  expose();
+  control();
+  return true;
 }
 
 void Flight::advance() {
@@ -178,13 +173,14 @@ void Flight::advance() {
 }
 
 void Flight::sample_truth() {
-  if (quadrotor_.now() % kTruthPeriod == Time{0}) record_.truth.push_back(sample(quadrotor_, executive_));
+  if (quadrotor_.now() % kTruthPeriod == Time{0})
+    record_.truth.push_back(sample(quadrotor_, chain_.executive()));
 }
 
 void Flight::expose() {
   if (camera_.due(quadrotor_.now())) {
     camera_.capture(quadrotor_.now(), pose_of(quadrotor_.truth()));
-    exposures_.push_back(sample(quadrotor_, executive_));
+    exposures_.push_back(sample(quadrotor_, chain_.executive()));
   }
   while (camera_.has_exposed(quadrotor_.now())) {
     const Stopwatch watch(record_.timing.render);
@@ -210,17 +206,22 @@ bool Flight::in_flight() const {
   return quadrotor_.estimate().height_m > request_.settings.airframe.gear_height_m + kOffGround_m;
 }
 
-// observe → decide and compute → send → log
+// observe → extract → decide and compute → send → log
 void Flight::tick(const vehicle::Frame* frame) {
-  servo::Observation observation = observe(frame);
-  spoil(observation, software_faults_, observation.now);
+  const TickInput input = observe(frame);
+  features::FrameFeatures features;
+  if (frame) {
+    const Stopwatch watch(record_.timing.perception);
+    features = chain_.see(input, frame->bgr);
+  }
   servo::Command command;
   {
     const Stopwatch watch(record_.timing.control);
-    command = executive_.tick(observation, !vehicle::motors_run(quadrotor_.mode()));
+    command = chain_.command(input, std::move(features));
   }
   send(command);
-  log(observation, frame, command);
+  log(input, command);
+  if (on_tick_) on_tick_({input, frame ? &frame->bgr : nullptr, chain_.observation().features, command});
 }
 
 void Flight::watch_autopilot() {
@@ -233,52 +234,41 @@ void Flight::report(std::string kind, std::string detail) {
   record_.events.push_back({quadrotor_.now(), std::move(kind), std::move(detail)});
 }
 
-servo::Observation Flight::observe(const vehicle::Frame* frame) {
-  servo::Observation observation;
-  observation.now = quadrotor_.now();
-  observation.captured = std::max(Time{0}, quadrotor_.now() - latency_known_);
-  const vehicle::Estimate at_capture = quadrotor_.estimate_at(observation.captured);
-  observation.has_frame = frame != nullptr;
-  if (frame) observation.features = extract(*frame, at_capture);
-  observation.odometry_now = odometry_.at(observation.now);
-  observation.odometry_at_capture = odometry_.at(observation.captured);
+TickInput Flight::observe(const vehicle::Frame* frame) const {
+  TickInput input;
+  input.now = quadrotor_.now();
+  input.captured = std::max(Time{0}, quadrotor_.now() - latency_known_);
+  input.has_frame = frame != nullptr;
+  if (frame) input.exposed = frame->stamp;
+  const vehicle::Estimate at_capture = quadrotor_.estimate_at(input.captured);
+  input.roll_rad = at_capture.roll_rad;
+  input.pitch_rad = at_capture.pitch_rad;
+  input.capture_height_m = std::max(kLowestHeight_m, at_capture.height_m);
   const vehicle::Estimate& estimate = quadrotor_.estimate();
-  observation.height_m = std::max(kLowestHeight_m, estimate.height_m);
-  observation.capture_height_m = std::max(kLowestHeight_m, at_capture.height_m);
-  observation.v_H_m_s = estimate.v_H_m_s;
-  observation.height_age_s = vehicle::seconds(observation.now - estimate.range_heard);
-  observation.velocity_age_s = vehicle::seconds(observation.now - estimate.flow_heard);
-  return observation;
-}
-
-features::FrameFeatures Flight::extract(const vehicle::Frame& frame, const vehicle::Estimate& at_capture) {
-  const Stopwatch watch(record_.timing.perception);
-  features::FrameContext context;
-  if (request_.settings.features.tilt_correction)
-    context.view = features::LevelView(at_capture.roll_rad, at_capture.pitch_rad);
-  context.height_m = std::max(kLowestHeight_m, at_capture.height_m);
-  context.since_last_s = record_.ticks.empty() ? 0.0 : vehicle::seconds(frame.stamp - last_looked_at_);
-  last_looked_at_ = frame.stamp;
-  context.on_the_way = executive_.phase() == Phase::follow;
-  features::FrameFeatures features = perception_.observe(frame.bgr, context);
-  spoil(features, software_faults_, frame.stamp);
-  return features;
+  input.height_m = std::max(kLowestHeight_m, estimate.height_m);
+  input.v_H_m_s = estimate.v_H_m_s;
+  input.odometry_now = odometry_.at(input.now);
+  input.odometry_at_capture = odometry_.at(input.captured);
+  input.height_age_s = vehicle::seconds(input.now - estimate.range_heard);
+  input.velocity_age_s = vehicle::seconds(input.now - estimate.flow_heard);
+  input.on_ground = !vehicle::motors_run(quadrotor_.mode());
+  return input;
 }
 
 void Flight::send(const servo::Command& command) {
   quadrotor_.command(to_setpoint(command), quadrotor_.now(), kCommandHolds);
 }
 
-void Flight::log(const servo::Observation& observation, const vehicle::Frame* frame,
-                 const servo::Command& command) {
+void Flight::log(const TickInput& input, const servo::Command& command) {
+  const servo::Observation& observation = chain_.observation();
   if (!observation.features.lines.empty()) quadrotor_.paint_sighted(observation.captured);
   TickRecord tick;
   tick.t = observation.now;
-  tick.has_frame = frame != nullptr;
-  tick.captured = frame ? frame->stamp : observation.captured;
+  tick.has_frame = input.has_frame;
+  tick.captured = input.has_frame ? input.exposed : observation.captured;
   while (exposures_.size() > 1 && exposures_.front().t < tick.captured) exposures_.pop_front();
   tick.at_capture = exposures_.front();
-  tick.now = sample(quadrotor_, executive_);
+  tick.now = sample(quadrotor_, chain_.executive());
   tick.code = observation.features.code;
   if (const features::LineFeature* line = observation.features.line()) {
     tick.line_rho = line->rho;
@@ -289,16 +279,17 @@ void Flight::log(const servo::Observation& observation, const vehicle::Frame* fr
   tick.v_H_m_s = observation.v_H_m_s;
   tick.command = command;
   record_.ticks.push_back(tick);
-  for (servo::ExecutiveEvent& event : executive_.take_events()) {
+  for (servo::ExecutiveEvent& event : chain_.take_events()) {
     report(std::move(event.kind), std::move(event.detail));
   }
 }
 
 bool Flight::is_over() const {
   const bool on_ground = !vehicle::motors_run(quadrotor_.mode());
-  const bool gave_up = executive_.phase() == Phase::land && on_ground && executive_.ends_on_ground();
-  return executive_.phase() == Phase::finished || gave_up || quadrotor_.crashed() || record_.interrupted ||
-         is_out_of_time();
+  const bool gave_up =
+      chain_.executive().phase() == Phase::land && on_ground && chain_.executive().ends_on_ground();
+  return chain_.executive().phase() == Phase::finished || gave_up || quadrotor_.crashed() ||
+         record_.interrupted || is_out_of_time();
 }
 
 bool Flight::is_out_of_time() const {
@@ -306,9 +297,9 @@ bool Flight::is_out_of_time() const {
 }
 
 void Flight::finish() {
-  record_.abort_reason = executive_.abort_reason();
-  record_.last_phase = executive_.phase();
-  record_.steps_done = executive_.nodes_recognised();
+  record_.abort_reason = chain_.executive().abort_reason();
+  record_.last_phase = chain_.executive().phase();
+  record_.steps_done = chain_.executive().nodes_recognised();
   record_.crashed = quadrotor_.crashed();
   record_.landed = quadrotor_.mode() == vehicle::AutopilotMode::landed;
   record_.out_of_time = is_out_of_time();

@@ -2,12 +2,12 @@
 
 #include <deque>
 #include <functional>
+#include <utility>
 
 #include "apps/config/flight_request.h"
 #include "apps/flight/flight_record.h"
 #include "apps/flight/frame_gate.h"
-#include "features/perception.h"
-#include "servo/executive/executive.h"
+#include "apps/onboard/mission_chain.h"
 #include "servo/law/odometry.h"
 #include "vehicle/floor/frame_faults.h"
 #include "vehicle/floor/layout.h"
@@ -24,6 +24,15 @@ struct FlightProgress {
   int steps = 0;
 };
 
+/// One control tick of a flight, for those who look on. Valid during the call.
+struct FlightTick {
+  const TickInput& input;
+  const cv::Mat* bgr;  ///< none when the tick went on without a frame
+  const features::FrameFeatures& features;
+  const servo::Command& command;
+};
+using TickListener = std::function<void(const FlightTick&)>;
+
 /// One simulated flight: closes the loop vehicle → camera → features → law → command → vehicle in lock-step.
 /// The only place that sees all three sides.
 class Flight {
@@ -31,6 +40,11 @@ class Flight {
   /// `floor` is what the camera sees; the plan may have been compiled from another layout. Throws
   /// std::invalid_argument.
   Flight(const FlightRequest& request, const vehicle::Layout& floor, const servo::Plan& plan);
+
+  /// Calls `on_tick` at the end of every control tick.
+  void listen(TickListener on_tick) { on_tick_ = std::move(on_tick); }
+  /// Flies on by a few milliseconds, in which there may be a tick; false when the flight is over.
+  bool step();
 
   /// Flies to the end. `progress` is called about once a simulated second; when it
   /// returns false the flight is broken off.
@@ -42,10 +56,9 @@ class Flight {
   void expose();
   void control();
   void tick(const vehicle::Frame* frame);
-  servo::Observation observe(const vehicle::Frame* frame);
-  features::FrameFeatures extract(const vehicle::Frame& frame, const vehicle::Estimate& at_capture);
+  TickInput observe(const vehicle::Frame* frame) const;
   void send(const servo::Command& command);
-  void log(const servo::Observation& observation, const vehicle::Frame* frame, const servo::Command& command);
+  void log(const TickInput& input, const servo::Command& command);
   void watch_autopilot();
   void report(std::string kind, std::string detail);
   bool in_flight() const;
@@ -58,15 +71,13 @@ class Flight {
   vehicle::SyntheticCamera camera_;
   vehicle::FrameFaults frame_faults_;
   FrameGate gate_;
-  features::Perception perception_;
-  servo::Executive executive_;
+  MissionChain chain_;
   servo::Odometry odometry_;
   std::deque<TruthSample> exposures_;  ///< of the frames under way
   vehicle::Time latency_known_;        ///< what the law takes the camera's latency for
   double time_limit_s_;                ///< that of the settings, for each target
-  vehicle::Time last_looked_at_{0};    ///< exposure of the last frame that perception saw
   vehicle::AutopilotMode mode_ = vehicle::AutopilotMode::idle;
-  SoftwareFaultOptions software_faults_;
+  TickListener on_tick_;
   FlightRecord record_;
 };
 

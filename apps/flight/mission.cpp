@@ -84,8 +84,10 @@ Mission prepare(const FlightRequest& request) {
   return mission;
 }
 
-FlownMission fly_mission(const Mission& mission, const std::function<bool(const FlightProgress&)>& progress) {
+FlownMission fly_mission(const Mission& mission, const std::function<bool(const FlightProgress&)>& progress,
+                         TickListener on_tick) {
   Flight flight(mission.request, mission.floor, mission.plan);
+  flight.listen(std::move(on_tick));
   FlownMission flown{flight.run(progress), {}};
   flown.summary = summarise(mission.request, mission.floor, mission.plan, flown.record);
   return flown;

@@ -27,8 +27,9 @@ struct FlownMission {
 };
 
 /// Flies it to the end and says how it went. Several may fly at once, on threads of their own. `progress` as
-/// in Flight::run.
+/// in Flight::run, `on_tick` as in Flight::listen.
 FlownMission fly_mission(const Mission& mission,
-                         const std::function<bool(const FlightProgress&)>& progress = {});
+                         const std::function<bool(const FlightProgress&)>& progress = {},
+                         TickListener on_tick = {});
 
 }  // namespace lineservo::apps

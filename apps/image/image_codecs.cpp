@@ -16,3 +16,12 @@ extern "C" __attribute__((visibility("default"))) bool lineservo_decode_image(co
 } catch (...) {
   return false;
 }
+
+/// The image as PNG, without loss. False when it cannot be.
+extern "C" __attribute__((visibility("default"))) bool lineservo_encode_png(
+    const cv::Mat* image, std::vector<unsigned char>* bytes) noexcept try {
+  const lineservo::vehicle::QuietStderr quiet;
+  return cv::imencode(".png", *image, *bytes);
+} catch (...) {
+  return false;
+}

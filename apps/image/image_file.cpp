@@ -2,33 +2,27 @@
 
 #include <dlfcn.h>
 
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "apps/config/input_error.h"
+#include "apps/config/text_file.h"
 
 namespace lineservo::apps {
 namespace {
 
 using Decode = bool (*)(const unsigned char* bytes, std::size_t size, cv::Mat* image);
 
-Decode load_decoder() {
+using EncodePng = bool (*)(const cv::Mat* image, std::vector<unsigned char>* bytes);
+
+template <typename Function>
+Function codec(const char* name) {
   void* module = ::dlopen("liblineservo_image_codecs.so", RTLD_NOW | RTLD_LOCAL);
-  void* symbol = module == nullptr ? nullptr : ::dlsym(module, "lineservo_decode_image");
+  void* symbol = module == nullptr ? nullptr : ::dlsym(module, name);
   if (symbol == nullptr)
     throw std::runtime_error(std::string("the image codecs do not load: ") + ::dlerror());
-  return reinterpret_cast<Decode>(symbol);
-}
-
-std::vector<char> bytes_of(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) throw InputError(file.string() + ": not a file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string() + ": cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return reinterpret_cast<Function>(symbol);
 }
 
 constexpr std::string_view kStart = "\xFF\xD8", kScan = "\xFF\xDA", kEnd = "\xFF\xD9";
@@ -56,16 +50,22 @@ bool is_cut_short(std::string_view bytes) {
 }  // namespace
 
 cv::Mat read_image(const std::filesystem::path& file) {
-  static const Decode decode = load_decoder();
-  const std::vector<char> bytes = bytes_of(file);
+  static const Decode decode = codec<Decode>("lineservo_decode_image");
+  const std::string bytes = read_bytes(file);
   if (bytes.empty()) throw InputError(file.string() + ": the file is empty");
   cv::Mat image;
   const bool fits = bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max());
   if (!fits || !decode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), &image))
     throw InputError(file.string() + ": not an image that can be read");
-  if (is_cut_short({bytes.data(), bytes.size()}))
-    throw InputError(file.string() + ": the image is cut short");
+  if (is_cut_short(bytes)) throw InputError(file.string() + ": the image is cut short");
   return image;
+}
+
+std::string png_bytes(const cv::Mat& image) {
+  static const EncodePng encode = codec<EncodePng>("lineservo_encode_png");
+  std::vector<unsigned char> bytes;
+  if (!encode(&image, &bytes)) throw std::runtime_error("an image cannot be written as PNG");
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace lineservo::apps

@@ -5,27 +5,13 @@
 #include <cstring>
 #include <limits>
 
+#include "apps/output/command_row.h"
 #include "apps/output/sha256.h"
 
 namespace lineservo::apps {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// A command's columns; what a kind of command does not set is not a number.
-struct CommandRow {
-  double forward = kNaN, left = kNaN, up = kNaN, yaw_rate = kNaN, roll = kNaN, pitch = kNaN;
-};
-
-CommandRow row(const servo::VelocityCommand& c) {
-  return {c.forward_m_s, c.left_m_s, c.up_m_s, c.yaw_rate_rad_s, kNaN, kNaN};
-}
-CommandRow row(const servo::AttitudeCommand& c) {
-  return {kNaN, kNaN, kNaN, c.yaw_rate_rad_s, c.roll_rad, c.pitch_rad};
-}
-CommandRow row(const servo::LandCommand&) {
-  return {};
-}
 
 std::string quoted(const std::string& text) {
   std::string doubled;
@@ -50,7 +36,7 @@ std::string flight_csv(const FlightRecord& record) {
       "command_yaw_rate_rad_s,command_roll_rad,command_pitch_rad\n";
   for (const TickRecord& tick : record.ticks) {
     const TruthSample& s = tick.now;
-    const CommandRow c = std::visit([](const auto& command) { return row(command); }, tick.command);
+    const auto [forward, left, up, yaw_rate, roll, pitch, height] = row_of(tick.command);
     csv += fmt::format("{:.4f},{:.4f},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},",
                        vehicle::seconds(tick.t), vehicle::seconds(tick.captured), static_cast<int>(s.phase),
                        s.step, s.p_WB.x(), s.p_WB.y(), s.p_WB.z(), s.roll_rad, s.pitch_rad, s.heading_rad,
@@ -60,8 +46,8 @@ std::string flight_csv(const FlightRecord& record) {
                        tick.junction ? tick.junction->x : kNaN, tick.junction ? tick.junction->y : kNaN);
     csv += fmt::format("{},{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n",
                        static_cast<int>(tick.code.raw), static_cast<int>(tick.code.held),
-                       static_cast<int>(tick.code.smoothed), tick.code.line_ends_ahead ? 1 : 0, c.forward,
-                       c.left, c.up, c.yaw_rate, c.roll, c.pitch);
+                       static_cast<int>(tick.code.smoothed), tick.code.line_ends_ahead ? 1 : 0, forward, left,
+                       up, yaw_rate, roll, pitch);
   }
   return csv;
 }

@@ -24,18 +24,35 @@ class ResultFolder {
   void check(const std::string& name) const;
   /// Writes a file aside. Throws InputError (disk full, no permission, a name that is not free).
   void write(const std::string& name, const std::string& content);
+  /// Begins a folder of results, aside. One of this name may stand there already when `owner`, a file of the
+  /// earlier set, stands beside it and all that it holds are files numbered as numbered() does with this
+  /// ending: it is replaced. Else throws InputError.
+  void begin_folder(const std::string& name, const std::string& ending, const std::string& owner);
+  /// Writes a file of the folder begun. Throws InputError.
+  void write_numbered(std::size_t number, const std::string& content);
+  /// An earlier set's folder, told as by begin_folder(): it goes when this set is published. Others stay.
+  void leave_out_folder(const std::string& name, const std::string& ending, const std::string& owner);
   /// A file of an earlier set that this one does not have: it goes when this one is published.
   void leave_out(const std::string& name) { left_out_.push_back(name); }
-  /// Renames everything written to its final name.
+  /// Renames everything written to its final name: the seal after all, the folder begun just before it.
   void publish();
 
  private:
   std::filesystem::path aside(const std::string& name) const;
+  void put(const std::filesystem::path& file, const std::filesystem::path& name,
+           const std::string& content) const;
   void remove(const std::string& name) const;
+  void remove_folder(const std::string& name) const;
+  void rename(const std::string& name) const;
 
   std::filesystem::path folder_;
   std::string suffix_;
   std::vector<std::string> names_, left_out_;
+  std::string numbered_, ending_;  ///< the folder begun, and its files' ending; none: empty
+  std::vector<std::string> left_out_folders_;
 };
+
+/// 000012.png for 12 and .png.
+std::string numbered(std::size_t number, const std::string& ending);
 
 }  // namespace lineservo::apps

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <opencv2/core.hpp>
 #include <string_view>
 
 #include "apps/config/input_error.h"
@@ -60,6 +61,15 @@ TEST(ImageFile, RefusesWhatIsNoImage) {
   EXPECT_THROW(read_image(testing::TempDir()), InputError);
   EXPECT_THROW(read_image(written("empty.png", "")), InputError);
   EXPECT_THROW(read_image(written("text.png", "not a picture")), InputError);
+}
+
+TEST(ImageFile, PngIsWithoutLoss) {
+  cv::Mat image(31, 47, CV_8UC3);
+  cv::RNG random(3);
+  random.fill(image, cv::RNG::UNIFORM, 0, 256);
+  const cv::Mat read = read_image(written("noise.png", png_bytes(image)));
+  EXPECT_EQ(read.type(), CV_8UC3);
+  EXPECT_EQ(cv::norm(read, image, cv::NORM_INF), 0.0);
 }
 
 }  // namespace

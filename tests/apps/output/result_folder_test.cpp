@@ -226,5 +226,67 @@ TEST(ResultFolder, TwoWritersDoNotMixHalfFiles) {
   EXPECT_EQ(temp.count(), 1u);
 }
 
+/// A set with a folder of files beside its own.
+void publish_frames(const fs::path& path, const std::vector<std::string>& frames) {
+  ResultFolder folder(path);
+  folder.begin_folder("frames", ".png", "owner");
+  for (std::size_t k = 0; k < frames.size(); ++k) folder.write_numbered(k, frames[k]);
+  folder.write("owner", "");
+  folder.write("seal", "");
+  folder.publish();
+}
+
+TEST(ResultFolder, AFolderOfFilesIsPublishedAndReplacedAsAWhole) {
+  const TempFolder temp;
+  publish_frames(temp.path(), {"a", "b", "c"});
+  EXPECT_EQ(read_text(temp.path() / "frames/000002.png"), "c");
+  publish_frames(temp.path(), {"d"});
+  EXPECT_EQ(read_text(temp.path() / "frames/000000.png"), "d");
+  EXPECT_FALSE(fs::exists(temp.path() / "frames/000001.png"));
+  EXPECT_EQ(temp.count(), 3u);
+}
+
+TEST(ResultFolder, AFolderThatWasAbandonedLeavesNothing) {
+  const TempFolder temp;
+  {
+    ResultFolder folder(temp.path());
+    folder.begin_folder("frames", ".png", "owner");
+    folder.write_numbered(0, "a");
+  }
+  EXPECT_EQ(temp.count(), 0u);
+}
+
+TEST(ResultFolder, AFolderThatIsNotOfAnEarlierSetIsNotTouched) {
+  const auto beginning = [](const TempFolder& temp) {
+    return complaint([&] { ResultFolder(temp.path()).begin_folder("frames", ".png", "owner"); });
+  };
+  const TempFolder without_owner, with_more, with_link;
+  fs::create_directory(without_owner.path() / "frames");
+  without_owner.write("frames/000000.png", "mine");
+  EXPECT_THAT(beginning(without_owner), HasSubstr("is there already, and not from an earlier run"));
+  publish_frames(with_more.path(), {"a"});
+  with_more.write("frames/notes.txt", "mine");
+  EXPECT_THAT(beginning(with_more), HasSubstr("is there already"));
+  fs::create_symlink(without_owner.path() / "frames", with_link.path() / "frames");
+  EXPECT_THAT(beginning(with_link), HasSubstr("is there already"));
+
+  ResultFolder folder(with_more.path());
+  folder.leave_out_folder("frames", ".png", "owner");
+  folder.write("seal", "");
+  folder.publish();
+  EXPECT_EQ(read_text(with_more.path() / "frames/notes.txt"), "mine");
+}
+
+TEST(ResultFolder, AnEarlierSetsFolderGoesWhenItIsLeftOut) {
+  const TempFolder temp;
+  publish_frames(temp.path(), {"a"});
+  ResultFolder folder(temp.path());
+  folder.leave_out_folder("frames", ".png", "owner");
+  folder.leave_out("owner");
+  folder.write("seal", "new");
+  folder.publish();
+  EXPECT_EQ(temp.count(), 1u);
+}
+
 }  // namespace
 }  // namespace lineservo::apps

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "apps/onboard/tick_input.h"
+
+namespace lineservo::apps {
+
+/// Calls visit(name, value) for every value of a tick's input, a TickInput or a const one: the columns of
+/// recording.csv in their order. Values are servo::Time, double or bool.
+template <typename Input, typename Visit>
+void for_each_field(Input& i, Visit visit) {
+  visit("t_ns", i.now);
+  visit("captured_ns", i.captured);
+  visit("has_frame", i.has_frame);
+  visit("exposed_ns", i.exposed);
+  visit("roll_rad", i.roll_rad);
+  visit("pitch_rad", i.pitch_rad);
+  visit("capture_height_m", i.capture_height_m);
+  visit("height_m", i.height_m);
+  visit("forward_m_s", i.v_H_m_s.x());
+  visit("left_m_s", i.v_H_m_s.y());
+  visit("up_m_s", i.v_H_m_s.z());
+  visit("odometry_x_m", i.odometry_now.translation_m.x());
+  visit("odometry_y_m", i.odometry_now.translation_m.y());
+  visit("odometry_yaw_rad", i.odometry_now.yaw_rad);
+  visit("capture_odometry_x_m", i.odometry_at_capture.translation_m.x());
+  visit("capture_odometry_y_m", i.odometry_at_capture.translation_m.y());
+  visit("capture_odometry_yaw_rad", i.odometry_at_capture.yaw_rad);
+  visit("height_age_s", i.height_age_s);
+  visit("velocity_age_s", i.velocity_age_s);
+  visit("on_ground", i.on_ground);
+}
+
+}  // namespace lineservo::apps
