@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "apps/flight/flight_record.h"
 #include "apps/scoring/junction_truth.h"
@@ -20,6 +21,10 @@ struct JunctionScore {
 
   double accuracy(long wrong) const;  ///< NaN without frames
 };
+
+/// What the frame of a tick truly showed; none where it is not scored.
+std::optional<CodeTruth> scored_truth(const TickRecord& tick, const JunctionTruth& truth,
+                                      double frame_period_s);
 
 /// `frame_period_s`: between two frames, for how far the vehicle moves meanwhile.
 JunctionScore score_junctions(const FlightRecord& record, const JunctionTruth& truth, double frame_period_s);
