@@ -77,7 +77,7 @@ int fly(const FlyArguments& arguments) {
     return !interrupted();
   });
   line.clear();
-  if (folder) write_flight(*folder, request, own, record, summary);
+  if (folder) write_flight(*folder, mission, own, record, summary);
   if (arguments.json) {
     fmt::print("{}", json_text(to_json(request, summary), 2));
   } else {
@@ -119,10 +119,10 @@ void add_fly_command(CLI::App& app, int& exit_code) {
       "every setting: not together with --conditions");
   command->add_flag("--land", a.land, "land on the target instead of hovering");
   CLI::Option* explain = command->add_flag("--explain", a.explain, "print the plan and do not fly");
-  CLI::Option* out = command->add_option(
-      "--out", a.out,
-      "folder for summary.json, flight.csv, events.csv, config.yaml, and mission.yaml, layout.yaml and "
-      "conditions.yaml when they are your own");
+  CLI::Option* out = command->add_option("--out", a.out,
+                                         "folder for summary.json, flight.csv, events.csv, config.yaml, "
+                                         "report.html, and mission.yaml, layout.yaml and "
+                                         "conditions.yaml when they are your own");
   CLI::Option* json = command->add_flag("--json", a.json, "print summary.json instead of the short report");
   for (CLI::Option* other : {out, json}) explain->excludes(other);
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });

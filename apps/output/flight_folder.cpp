@@ -1,11 +1,15 @@
 #include "apps/output/flight_folder.h"
 
+#include <fmt/format.h>
+
 #include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
 #include "apps/config/mission_file.h"
 #include "apps/config/text_file.h"
 #include "apps/output/flight_tables.h"
 #include "apps/output/json_text.h"
+#include "apps/output/report_file.h"
+#include "apps/report/flight_data.h"
 
 namespace lineservo::apps {
 namespace {
@@ -25,12 +29,16 @@ void keep(ResultFolder& folder, const std::string& name, const std::optional<std
   reference = name;
 }
 
+std::string title_of(const FlightRequest& request) {
+  return fmt::format("{} · {} · lineservo", request.instruction, request.controller);
+}
+
 }  // namespace
 
 const std::vector<std::string>& flight_files() {
   static const std::vector<std::string> kFiles = {"mission.yaml", "layout.yaml", "conditions.yaml",
                                                   "flight.csv",   "events.csv",  "config.yaml",
-                                                  "summary.json"};
+                                                  "report.html",  "summary.json"};
   return kFiles;
 }
 
@@ -40,16 +48,17 @@ OwnFiles own_files(const FlightRequest& request) {
           own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions)};
 }
 
-void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnFiles& own,
+void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,
                   const FlightRecord& record, const FlightSummary& summary) {
-  FlightRequest kept = request;
+  FlightRequest kept = mission.request;
   keep(folder, "mission.yaml", own.mission, kept.instruction);
   keep(folder, "layout.yaml", own.layout, kept.layout);
   keep(folder, "conditions.yaml", own.conditions, kept.conditions);
   folder.write("flight.csv", flight_csv(record));
   folder.write("events.csv", events_csv(record));
   folder.write("config.yaml", config_text(kept));
-  folder.write("summary.json", json_text(to_json(request, summary), 2));
+  write_report(folder, title_of(mission.request), [&] { return flight_data(mission, record, summary); });
+  folder.write("summary.json", json_text(to_json(mission.request, summary), 2));
   folder.publish();
 }
 

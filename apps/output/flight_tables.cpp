@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A command's columns; what a kind of command does not set is not a number.
-struct CommandRow {
-  double forward = kNaN, left = kNaN, up = kNaN, yaw_rate = kNaN, roll = kNaN, pitch = kNaN;
-};
-
 CommandRow row(const servo::VelocityCommand& c) {
   return {c.forward_m_s, c.left_m_s, c.up_m_s, c.yaw_rate_rad_s, kNaN, kNaN};
 }
@@ -41,6 +36,10 @@ void append(std::string& bytes, double value) {
 
 }  // namespace
 
+CommandRow command_row(const servo::Command& command) {
+  return std::visit([](const auto& of_its_kind) { return row(of_its_kind); }, command);
+}
+
 std::string flight_csv(const FlightRecord& record) {
   std::string csv =
       "t_s,captured_s,phase,step,x_m,y_m,z_m,roll_rad,pitch_rad,heading_rad,vx_W_m_s,vy_W_m_s,vz_W_m_s,"
@@ -50,7 +49,7 @@ std::string flight_csv(const FlightRecord& record) {
       "command_yaw_rate_rad_s,command_roll_rad,command_pitch_rad\n";
   for (const TickRecord& tick : record.ticks) {
     const TruthSample& s = tick.now;
-    const CommandRow c = std::visit([](const auto& command) { return row(command); }, tick.command);
+    const CommandRow c = command_row(tick.command);
     csv += fmt::format("{:.4f},{:.4f},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},",
                        vehicle::seconds(tick.t), vehicle::seconds(tick.captured), static_cast<int>(s.phase),
                        s.step, s.p_WB.x(), s.p_WB.y(), s.p_WB.z(), s.roll_rad, s.pitch_rad, s.heading_rad,
