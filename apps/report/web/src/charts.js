@@ -8,22 +8,22 @@ echarts.use([BoxplotChart, CustomChart, LineChart, ScatterChart, DataZoomCompone
   MarkLineComponent, TooltipComponent, SVGRenderer]);
 
 const all = [];
-const kPrintWidth_px = 680;
 
 export const axisText = { color: '#333', fontSize: 12 };
 export const gridLines = { lineStyle: { color: '#e6e6e6' } };
 
-/** A chart in a box of its own that follows the width of the page. `option(width)` describes it. */
+/** A chart in a box of its own that follows the width of the page. `option(width)` describes it; `height` is a number or a function of the width. */
 export class Chart {
   constructor(parent, { id, label, height, option }) {
     this.box = element('div', { class: 'chart', id, role: 'img', 'aria-label': label });
-    this.box.style.height = `${height}px`;
     parent.append(this.box);
     this.option = option;
+    this.height = typeof height === 'function' ? height : () => height;
+    this.width = this.box.clientWidth;
+    this.box.style.height = `${this.height(this.width)}px`;
     this.chart = echarts.init(this.box, null, { renderer: 'svg' });
     this.cursor = element('div', { class: 'cursor', hidden: true });
     this.box.append(this.cursor);
-    this.width = this.box.clientWidth;
     this.draw();
     new ResizeObserver(() => this.fit()).observe(this.box);
     all.push(this);
@@ -35,11 +35,12 @@ export class Chart {
     this.afterDraw?.();
   }
 
-  fit(width) {
-    const wanted = width ?? this.box.clientWidth;
+  fit() {
+    const wanted = this.box.clientWidth;
     if (wanted === this.width || wanted === 0) return;
     this.width = wanted;
-    this.chart.resize({ width: wanted });
+    this.box.style.height = `${this.height(wanted)}px`;
+    this.chart.resize({ width: wanted, height: this.height(wanted) });
     this.draw();
   }
 
@@ -59,6 +60,7 @@ export class Chart {
 
 /** Paper has its own width: charts are laid out for it before printing and back after. */
 export function resizeAllForPrint() {
-  window.addEventListener('beforeprint', () => all.forEach((chart) => chart.fit(kPrintWidth_px)));
-  window.addEventListener('afterprint', () => all.forEach((chart) => chart.fit()));
+  const layOut = (onPaper) => { document.body.classList.toggle('paper', onPaper); all.forEach((chart) => chart.fit()); };
+  window.addEventListener('beforeprint', () => layOut(true));
+  window.addEventListener('afterprint', () => layOut(false));
 }

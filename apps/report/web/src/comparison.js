@@ -54,13 +54,14 @@ function tables(page, { comparison }, rows) {
   }
 }
 
-const withInterval = (show, value, ci95) => [show(value), ci95 ? element('small', {}, element('br'), `${show(ci95[0])} – ${show(ci95[1])}`) : ''];
+const between = (low, high) => `${low.replace(/ (cm|s|%)$/, '')} – ${high}`;
+const withInterval = (show, value, ci95) => [show(value), ci95 ? element('small', {}, between(show(ci95[0]), show(ci95[1]))) : ''];
 const cell = (...parts) => element('span', {}, ...parts.flat());
 
 function figures(row) {
   const mean = (name, show, value = row[name]) => cell(withInterval(show, value, row.ci95[name]));
   return [cell(element('i', { class: 'swatch', style: `background:${row.colour}` }), row.short, row.adaptations.length ? '*' : ''),
-    cell(`${row.arrived} of ${row.runs}`, element('small', {}, element('br'), `${percent(row.success_ci95[0], 0)} – ${percent(row.success_ci95[1], 0)}`)),
+    cell(`${row.arrived} of ${row.runs}`, element('small', {}, between(percent(row.success_ci95[0], 0), percent(row.success_ci95[1], 0)))),
     mean('rmse_m', centimetres), mean('max_m', centimetres, row.max_mean_m), centimetres(row.max_m), mean('turn_max_m', centimetres),
     mean('terminal_error_m', centimetres), mean('duration_s', seconds), percent(row.junction_accuracy), fixed(row.perception_ms + row.control_ms, 3)];
 }
@@ -140,9 +141,9 @@ function trajectoryMaps(box, traces, floors, first, rows) {
   const half = (title) => { const column = element('div', {}, element('h3', {}, title)); pair.append(column); return column; };
   const layers = () => [paint(floor), trueWay(first.route), ...paths()];
   const goal = (text) => places([{ at: target, text, symbol: 'diamond', size: 14 }]);
-  new FloorMap(half('Floor'), { id: 'map', label: 'trajectories over the floor', height: 400, bounds: boundsOf(floor.nodes.map((one) => one.at), 0.6),
+  new FloorMap(half('Floor'), { id: 'map', label: 'trajectories over the floor', bounds: boundsOf(floor.nodes.map((one) => one.at), 0.6),
     layers: () => [...layers(), goal('target')] });
-  new FloorMap(half('The end, about the target'), { id: 'end', label: 'trajectories about the target', height: 400, bounds: boundsOf([target], 0.4),
+  new FloorMap(half('The end, about the target'), { id: 'end', label: 'trajectories about the target', bounds: boundsOf([target], 0.4),
     layers: () => [...layers(), rings(target, [{ radius_m: 0.1, colour: '#555', dash: null, text: '10 cm' }, { radius_m: 0.3, colour: ink.black, dash: [2, 4], text: '30 cm: arrived' }]),
       goal(''), places(traces.map((trace) => ({ at: pathOf(trace).pop(), symbol: trace.row.symbol, colour: trace.row.colour, size: 10 })))] });
 }
@@ -156,7 +157,7 @@ function windowStrips(page, flown, rows) {
     const strips = [{ name: 'true', runs: runs(trace.codes.true) }, { name: 'seen', runs: runs(trace.codes.raw) },
       ...trace.codes.windows.map((one) => ({ name: one.frames === 1 ? '1 frame' : `${one.frames} frames`, runs: runs(one.runs) }))];
     box.append(codeLegend(strips));
-    new Strips(box, { id: 'windows', label: 'junction codes after windows of different length', rows: strips, axisName: 'frame', end_s: strips[1].runs.at(-1)?.[1] ?? 1 });
+    new Strips(box, { id: 'windows', label: 'junction codes after windows of different length', rows: strips, axisUnit: '', end_s: strips[1].runs.at(-1)?.[1] ?? 1 });
   });
   node.insertBefore(place, node.lastChild);
   return () => {

@@ -1,6 +1,7 @@
 import { Chart, axisText, gridLines } from './charts.js';
 import { fixed } from './format.js';
 import { ink } from './palette.js';
+import { timeAxis } from './time_chart.js';
 
 const rowHeight_px = 30;
 const axisName = (name) => ({ name, nameLocation: 'middle', nameGap: 26, nameTextStyle: axisText, axisLabel: { ...axisText, hideOverlap: true }, splitLine: gridLines });
@@ -27,7 +28,7 @@ export function boxPlot(parent, rows, metric, scale) {
   const labels = rows.map((row) => row.label);
   if (rows.length === 0) return;
   new Chart(parent, { id: 'boxes', label: `box plots of the ${metric.text}`, height: 60 + rowHeight_px * rows.length, option: (width) => ({
-    grid: { left: nameWidth(labels, width), right: 18, top: 8, bottom: 44 },
+    grid: { left: nameWidth(labels, width), right: 18, top: 8, bottom: 44, outerBoundsMode: 'none' },
     yAxis: rowAxis(labels, width),
     xAxis: { type: scale, ...axisName(`${metric.text}, ${metric.unit}`), ...(scale === 'log' ? {} : { min: 0 }) },
     tooltip: { confine: true, formatter: ({ data: d, seriesType }) => seriesType === 'boxplot' ? `median ${fixed(d.value[2], 2)} ${metric.unit}, quartiles ${fixed(d.value[1], 2)} to ${fixed(d.value[3], 2)}`
@@ -51,9 +52,9 @@ export function distributionPlot(parent, rows, { bin_m, bins }, scale) {
   const curves = rows.map((row) => densities(row.errors, bin_m, bins));
   const reach_cm = Math.min(60, Math.max(5, ...curves.map((curve) => curve.reach_cm)));
   new Chart(parent, { id: 'distribution', label: 'probability density of the error', height: 320, option: () => ({
-    grid: { left: 58, right: 16, top: 26, bottom: 44 },
+    grid: { left: 58, right: 16, top: 26, bottom: 44, outerBoundsMode: 'none' },
     xAxis: { type: 'value', min: -Math.ceil(reach_cm), max: Math.ceil(reach_cm), ...axisName('error, cm') },
-    yAxis: { type: scale, name: 'share a cm', nameTextStyle: { ...axisText, align: 'left', padding: [0, 0, 0, -50] }, nameGap: 10, axisLabel: axisText, splitLine: gridLines, ...(scale === 'log' ? { min: 1e-5 } : { min: 0 }) },
+    yAxis: { type: scale, name: 'share a cm', axisLine: { onZero: false }, nameTextStyle: { ...axisText, align: 'left', padding: [0, 0, 0, -50] }, nameGap: 10, axisLabel: axisText, splitLine: gridLines, ...(scale === 'log' ? { min: 1e-5 } : { min: 0 }) },
     tooltip: { trigger: 'axis', confine: true, valueFormatter: (value) => fixed(value, 4) },
     series: rows.map((row, k) => ({ type: 'line', name: row.label, step: 'middle', showSymbol: false, clip: true, emphasis: { disabled: true },
       data: scale === 'log' ? curves[k].points.map(([x, y]) => [x, y > 0 ? y : null]) : curves[k].points,
@@ -73,9 +74,9 @@ function densities(pairs, bin_m, bins) {
 export function deviationPlot(parent, traces) {
   const end_s = Math.max(1, ...traces.map((trace) => trace.path.t_s.at(-1) ?? 0));
   new Chart(parent, { id: 'deviation', label: 'deviation over time', height: 300, option: () => ({
-    grid: { left: 58, right: 16, top: 26, bottom: 44 },
-    xAxis: { type: 'value', min: 0, max: Math.ceil(end_s), ...axisName('t, s') },
-    yAxis: { type: 'value', name: 'cm', nameTextStyle: { ...axisText, align: 'left', padding: [0, 0, 0, -50] }, nameGap: 10, axisLabel: axisText, splitLine: gridLines },
+    grid: { left: 58, right: 16, top: 26, bottom: 26, outerBoundsMode: 'none' },
+    xAxis: timeAxis(end_s),
+    yAxis: { type: 'value', name: 'cm', axisLine: { onZero: false }, nameTextStyle: { ...axisText, align: 'left', padding: [0, 0, 0, -50] }, nameGap: 10, axisLabel: axisText, splitLine: gridLines },
     dataZoom: { type: 'inside', filterMode: 'none', zoomOnMouseWheel: 'ctrl', moveOnMouseWheel: false, moveOnMouseMove: false, preventDefaultMouseMove: false },
     tooltip: { trigger: 'axis', confine: true, valueFormatter: (value) => `${fixed(value, 2)} cm` },
     series: traces.map(({ row, path }) => ({ type: 'line', name: row.short, showSymbol: false, connectNulls: false, clip: true, emphasis: { disabled: true },
@@ -92,7 +93,7 @@ const turnTimes = ({ t_s, leg }) => t_s.filter((t, k) => k > 0 && leg[k] > 0 && 
 export function differencePlot(parent, pairs, metric) {
   const labels = pairs.map((pair) => `${pair.a} − ${pair.b}${new Set(pairs.map((one) => `${one.layout}${one.speed_m_s}${one.title}`)).size > 1 ? `, ${pair.title || pair.layout}` : ''}`);
   new Chart(parent, { id: 'differences', label: `paired differences of the ${metric.text}`, height: 60 + rowHeight_px * pairs.length, option: (width) => ({
-    grid: { left: nameWidth(labels, width), right: 18, top: 8, bottom: 44 },
+    grid: { left: nameWidth(labels, width), right: 18, top: 8, bottom: 44, outerBoundsMode: 'none' },
     yAxis: rowAxis(labels, width),
     xAxis: { type: 'value', scale: false, ...axisName(`difference of the ${metric.text}, ${metric.unit}`) },
     tooltip: { confine: true, formatter: ({ dataIndex: k }) => `${labels[k]}: ${fixed(pairs[k].difference * metric.scale, 2)} ${metric.unit}`

@@ -20,7 +20,7 @@ function heading(page, { summary: s }) {
     element('p', {}, `${s.controller} on ${s.layout}, conditions ${s.conditions}, ${fixed(s.speed_m_s, 2)} m/s, seed ${s.seed}, lineservo ${s.version}`),
     tiles([['terminal error', centimetres(s.terminal_error_m)], ['RMSE, all legs', centimetres(s.tracking.rmse_m)],
       ['largest error', centimetres(s.tracking.max_m)], ['junction codes, raw', percent(s.junctions.accuracy)],
-      ['nodes told right', `${s.junctions.events_right} of ${s.junctions.events}`], ['flown', `${fixed(s.distance_m, 1)} m in ${seconds(s.duration_s)}`]])));
+      ['nodes told right', `${s.junctions.events_right} of ${s.junctions.events}`], ['flown', `${fixed(s.distance_m, 1)} m, ${fixed(s.duration_s, 0)} s`]])));
 }
 
 const tiles = (list) => element('dl', { class: 'tiles' }, list.map(([name, value]) => element('div', {}, element('dt', {}, name), element('dd', {}, value))));
@@ -33,11 +33,11 @@ function maps(page, { ticks, floor, route, summary }) {
   const pair = element('div', { class: 'pair' });
   node.append(pair);
   const whole = floor.nodes.map((one) => one.at);
-  const overview = new FloorMap(column(pair, 'Floor'), { id: 'map', label: 'map of the floor with the true way, the flown path and the target', height: 400,
+  const overview = new FloorMap(column(pair, 'Floor'), { id: 'map', label: 'map of the floor with the true way, the flown path and the target',
     bounds: boundsOf(path.length ? [...whole, ...path] : whole, 0.5),
     layers: () => [paint(floor), trueWay(route), flownPath('flown', path, ink.blue), places(marks(path, summary))] });
   const end = endOf(path, target);
-  const zoom = new FloorMap(column(pair, end.title), { id: 'end', label: 'zoom on the end point', height: 400,
+  const zoom = new FloorMap(column(pair, end.title), { id: 'end', label: 'zoom on the end point',
     bounds: boundsOf([end.centre], end.half_m),
     layers: () => [paint(floor), trueWay(route), flownPath('flown', path, ink.blue), rings(target, targetRings), places(endMarks(path, target, summary))] });
   return [overview, zoom].map((map) => ({ showAt: (k) => map.showVehicle({ x_m: ticks.x_m[k], y_m: ticks.y_m[k], heading_rad: ticks.heading_rad[k] }) }));
@@ -132,7 +132,7 @@ function figures(page, { summary: s, published }) {
     terminal_error_m: s.terminal_error_m, duration_s: s.duration_s };
   const node = section(page, 'Beside the published figures');
   const range = (metric, show) => published.ranges.filter((one) => one.metric === metric).map(({ low, high, source }) =>
-    element('span', {}, `${show(low)} to ${show(high)}`, element('small', {}, ` ${source}`)))[0];
+    element('span', {}, `${show(low)} to ${show(high)}`, element('small', {}, source)))[0];
   node.append(table(['', 'this flight', ...published.rows.map((row) => `${row.who} on ${row.title}, ${row.source}`), 'published, all flights'],
     compared.map(([metric, name, show]) => [name, element('b', {}, show(own[metric])), ...published.rows.map((row) => show(row[metric])), range(metric, show)]),
     { class: 'figures' }));

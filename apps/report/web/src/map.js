@@ -2,7 +2,7 @@ import { Chart, axisText } from './charts.js';
 import { element } from './dom.js';
 import { ink } from './palette.js';
 
-const margins = { left: 40, right: 10, top: 10, bottom: 28 };
+const margins = { left: 40, right: 10, top: 10, bottom: 28, outerBoundsMode: 'none' };
 
 /** Grows bounds so that a metre is as long on both axes of a box of that size. */
 export function equalAspect([x0, x1, y0, y1], width, height) {
@@ -18,10 +18,10 @@ export function boundsOf(points, margin_m) {
 
 /** A floor from above with ways on it. layers: functions that give a series each. */
 export class FloorMap extends Chart {
-  constructor(parent, { id, label, bounds, height, layers, tooltip }) {
+  constructor(parent, { id, label, bounds, layers }) {
     const frame = element('div', { class: 'map' });
     parent.append(frame);
-    super(frame, { id, label, height, option: (width) => option(bounds, width, height, layers, tooltip) });
+    super(frame, { id, label, height: (width) => heightFor(bounds, width), option: (width) => option(bounds, width, layers) });
     const button = (sign, name, act) => element('button', { type: 'button', title: name, 'aria-label': name, onclick: act }, sign);
     frame.append(element('div', { class: 'zoom' }, button('+', 'zoom in', () => this.zoom(0.6)), button('−', 'zoom out', () => this.zoom(1 / 0.6)),
       button('⤢', 'all', () => this.zoom(Infinity))));
@@ -53,7 +53,14 @@ export class FloorMap extends Chart {
   }
 }
 
-function option(bounds, width, height, layers, tooltip) {
+/** As high as the bounds ask for at that width, within reason. */
+function heightFor([x0, x1, y0, y1], width) {
+  const wanted = ((width - margins.left - margins.right) * (y1 - y0)) / (x1 - x0) + margins.top + margins.bottom;
+  return Math.round(Math.min(400, Math.max(180, wanted)));
+}
+
+function option(bounds, width, layers) {
+  const height = heightFor(bounds, width);
   const [x0, x1, y0, y1] = equalAspect(bounds, width - margins.left - margins.right, height - margins.top - margins.bottom);
   const axis = (min, max) => ({ type: 'value', min, max, axisLabel: { ...axisText, showMinLabel: false, showMaxLabel: false, hideOverlap: true,
     formatter: (value) => `${Number(value.toFixed(2))}`.replace('-', '−') },
@@ -62,7 +69,7 @@ function option(bounds, width, height, layers, tooltip) {
   return {
     grid: margins, xAxis: axis(x0, x1), yAxis: axis(y0, y1),
     dataZoom: [{ ...inside, xAxisIndex: 0 }, { ...inside, yAxisIndex: 0 }],
-    tooltip: tooltip ? { confine: true, formatter: tooltip } : { show: false },
+    tooltip: { show: false },
     series: layers().flat(),
   };
 }
@@ -92,7 +99,7 @@ export const flownPath = (name, points, colour, dash = 'solid') => ({ type: 'lin
 export const rings = (centre, list) => drawing((api) => { const [cx, cy] = api.coord(centre);
   return { type: 'group', children: list.flatMap(({ radius_m, colour, dash, text }) => { const r = radius_m * metre_px(api);
     return [{ type: 'circle', shape: { cx, cy, r }, style: { fill: 'none', stroke: colour, lineWidth: 1, lineDash: dash } },
-      ...(r < 14 ? [] : [{ type: 'text', x: cx, y: cy - r - 2, style: { text, fill: colour, fontSize: 11, align: 'center', verticalAlign: 'bottom' } }])]; }) }; }, 1);
+      { type: 'text', silent: true, x: cx, y: cy - r - 2, style: { text: r < 14 ? '' : text, fill: colour, fontSize: 11, align: 'center', verticalAlign: 'bottom' } }]; }) }; }, 1);
 
 /** A named place: [{at, text, symbol, colour}]. */
 export const places = (list) => ({ type: 'scatter', z: 5, silent: true, clip: true, data: list.map(({ at, text, symbol, colour, size = 12, position = 'right' }) => ({

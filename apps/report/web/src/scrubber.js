@@ -11,7 +11,7 @@ export class Scrubber {
     this.picture = element('img', { id: 'camera', alt: 'what the camera saw', hidden: true });
     page.append(element('div', { class: 'scrubber' }, this.picture,
       element('div', { class: 'controls' }, this.text, this.slider,
-        choice('shown', [{ value: 'Infinity', text: 'all' }, ...[60, 20, 5].map((s) => ({ value: s, text: `${s} s` }))], (value) => this.setWindow(Number(value))))));
+        choice('window', [{ value: 'Infinity', text: 'all' }, ...[60, 20, 5].map((s) => ({ value: s, text: `${s} s` }))], (value) => this.setWindow(Number(value))))));
     if (thumbnails.length === 0) page.append(element('p', { class: 'note', id: 'no-camera' }, 'No camera pictures: this flight recorded none.'));
     for (const { chart } of views) chart?.onClick(([t_s]) => this.show(this.tickAt(t_s)));
     this.show(Math.max(0, ticks.phase.findIndex((phase) => phases[phase] === 'follow')));

@@ -18,17 +18,17 @@ export function runsOf(times, values) {
 
 /** Junction codes over time, a strip for each of rows: [{name, runs}]. */
 export class Strips extends Chart {
-  constructor(parent, { id, label, end_s, rows, axisName = 't in s' }) {
-    super(parent, { id, label, height: 42 + 30 * rows.length, option: () => option(rows, end_s, axisName) });
+  constructor(parent, { id, label, end_s, rows, axisUnit }) {
+    super(parent, { id, label, height: 34 + 30 * rows.length, option: () => option(rows, end_s, axisUnit) });
   }
 }
 Strips.prototype.showTime = TimeChart.prototype.showTime;
 Strips.prototype.showWindow = TimeChart.prototype.showWindow;
 
-function option(rows, end_s, axisName) {
+function option(rows, end_s, axisUnit) {
   return {
-    grid: { ...timeGrid, top: 6, bottom: 32 },
-    xAxis: { ...timeAxis(end_s, axisName), splitLine: { show: false } },
+    grid: { ...timeGrid, top: 6, bottom: 26 },
+    xAxis: { ...timeAxis(end_s, axisUnit), splitLine: { show: false } },
     yAxis: { type: 'category', data: rows.map((row) => row.name), inverse: true, axisTick: { show: false }, axisLine: { show: false },
       axisLabel: axisText },
     dataZoom: timeZoom,
@@ -49,7 +49,7 @@ function renderItem(params, api) {
   return { type: 'group', children: [
     { type: 'rect', shape: { x: left, y: y - height / 2, width: Math.max(right - left, 0.6), height },
       style: { fill: codes[code].fill, stroke: code === 1 ? '#999' : 'none', lineWidth: code === 1 ? 0.5 : 0 } },
-    right - left < 18 ? { type: 'group' } : { type: 'text', silent: true, x: (left + right) / 2, y, style: { text: `J${code}`, fill: codes[code].text,
+    { type: 'text', silent: true, x: (left + right) / 2, y, style: { text: right - left < 18 ? '' : `J${code}`, fill: codes[code].text,
       fontSize: 11, align: 'center', verticalAlign: 'middle' } },
   ] };
 }

@@ -1,12 +1,11 @@
 import { Chart, axisText, gridLines } from './charts.js';
 import { fixed } from './format.js';
 
-export const timeGrid = { left: 74, right: 14, top: 30, bottom: 30 };
+export const timeGrid = { left: 74, right: 14, top: 30, bottom: 26, outerBoundsMode: 'none' };
 
-export const timeAxis = (end_s, name = 't in s') => ({
-  type: 'value', min: 0, max: Math.ceil(end_s), name, nameLocation: 'end', nameGap: 4,
-  nameTextStyle: { ...axisText, align: 'right', verticalAlign: 'top', padding: [14, 0, 0, 0] },
-  axisLabel: { ...axisText, showMaxLabel: false }, splitLine: gridLines, axisLine: { onZero: false },
+export const timeAxis = (end, unit = ' s') => ({
+  type: 'value', min: 0, max: Math.ceil(end), axisLabel: { ...axisText, showMaxLabel: false, hideOverlap: true, formatter: `{value}${unit}` },
+  splitLine: gridLines, axisLine: { onZero: false },
 });
 
 export const timeZoom = { type: 'inside', xAxisIndex: 0, filterMode: 'none', zoomOnMouseWheel: 'ctrl', moveOnMouseMove: false,
