@@ -27,7 +27,7 @@ const tiles = (list) => element('dl', { class: 'tiles' }, list.map(([name, value
 
 const pathOf = ({ x_m, y_m }) => x_m.map((x, k) => [x, y_m[k]]);
 
-function maps(page, { ticks, floor, route, summary }) {
+function maps(page, { ticks, floor, route, summary, published }) {
   const path = pathOf(ticks), target = [summary.target.x_m, summary.target.y_m];
   const node = section(page, 'Where it flew', 'Dashed: the true way. Blue: what was flown. Zoom with the buttons, a pinch, or Ctrl and the wheel; drag to move.');
   const pair = element('div', { class: 'pair' });
@@ -35,11 +35,11 @@ function maps(page, { ticks, floor, route, summary }) {
   const whole = floor.nodes.map((one) => one.at);
   const overview = new FloorMap(column(pair, 'Floor'), { id: 'map', label: 'map of the floor with the true way, the flown path and the target',
     bounds: boundsOf(path.length ? [...whole, ...path] : whole, 0.5),
-    layers: () => [paint(floor), trueWay(route), flownPath('flown', path, ink.blue), places(marks(path, summary))] });
+    layers: () => [paint(floor), trueWay(route), flownPath('flown', path, ink.blue), places(marks(path, summary, floor))] });
   const end = endOf(path, target);
   const zoom = new FloorMap(column(pair, end.title), { id: 'end', label: 'zoom on the end point',
     bounds: boundsOf([end.centre], end.half_m),
-    layers: () => [paint(floor), trueWay(route), flownPath('flown', path, ink.blue), rings(target, targetRings), places(endMarks(path, target, summary))] });
+    layers: () => [paint(floor), trueWay(route), flownPath('flown', path, ink.blue), rings(target, targetRings(published)), places(endMarks(path, target, summary))] });
   return [overview, zoom].map((map) => ({ showAt: (k) => map.showVehicle({ x_m: ticks.x_m[k], y_m: ticks.y_m[k], heading_rad: ticks.heading_rad[k] }) }));
 }
 
@@ -49,8 +49,12 @@ function column(parent, title) {
   return node;
 }
 
-const targetRings = [{ radius_m: 0.02, colour: '#555', dash: null, text: '2 cm' }, { radius_m: 0.1, colour: '#555', dash: null, text: '10 cm' },
-  { radius_m: 0.163, colour: ink.vermilion, dash: [4, 3], text: '16 cm: published mean' }];
+/** About the target: 2 cm, 10 cm, and how far off the published flights of this instruction ended. */
+function targetRings({ rows }) {
+  const ring = (cm) => ({ radius_m: cm / 100, colour: '#555', dash: null, text: `${cm} cm` });
+  return [ring(2), ring(10), ...rows.filter((row) => row.terminal_error_m).map((row) => ({ radius_m: row.terminal_error_m, colour: ink.vermilion, dash: [4, 3],
+    text: `${centimetres(row.terminal_error_m)}: published` }))];
+}
 
 /** Around the target, or around the flight's last point when it ended elsewhere. */
 function endOf(path, target) {
@@ -59,10 +63,11 @@ function endOf(path, target) {
     : { centre: last, half_m: 0.6, title: `Where it ended, ${fixed(off_m, 2)} m from the target` };
 }
 
-function marks(path, { target, targets }) {
+function marks(path, { target, targets }, floor) {
+  const xs = floor.nodes.map((one) => one.at[0]), middle_m = (Math.min(...xs) + Math.max(...xs)) / 2;
   const goals = targets ? targets.map((one) => ({ at: [one.x_m, one.y_m], text: one.target })) : [{ at: [target.x_m, target.y_m], text: `target ${target.node}` }];
   return [...(path.length ? [{ at: path[0], text: 'start', symbol: 'triangle', colour: ink.black }] : []),
-    ...goals.map((goal) => ({ ...goal, symbol: 'diamond', size: 15 }))];
+    ...goals.map((goal) => ({ ...goal, symbol: 'diamond', size: 15, position: goal.at[0] > middle_m ? 'left' : 'right' }))];
 }
 
 function endMarks(path, target, { arrival }) {

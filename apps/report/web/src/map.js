@@ -23,7 +23,7 @@ export class FloorMap extends Chart {
     parent.append(frame);
     super(frame, { id, label, height: (width) => heightFor(bounds, width), option: (width) => option(bounds, width, layers) });
     const button = (sign, name, act) => element('button', { type: 'button', title: name, 'aria-label': name, onclick: act }, sign);
-    frame.append(element('div', { class: 'zoom' }, button('+', 'zoom in', () => this.zoom(0.6)), button('−', 'zoom out', () => this.zoom(1 / 0.6)),
+    frame.prepend(element('div', { class: 'zoom' }, button('+', 'zoom in', () => this.zoom(0.6)), button('−', 'zoom out', () => this.zoom(1 / 0.6)),
       button('⤢', 'all', () => this.zoom(Infinity))));
     this.vehicle = element('div', { class: 'vehicle', hidden: true });
     this.box.append(this.vehicle);
