@@ -4,7 +4,8 @@ import { readFile, writeFile, rename } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const source = process.argv[2], target = fileURLToPath(new URL('.', import.meta.url));
+const source = process.argv[2],
+  target = fileURLToPath(new URL('.', import.meta.url));
 const bundled = await build({
   entryPoints: [join(source, 'src/main.js')],
   nodePaths: [join(target, 'node_modules')],

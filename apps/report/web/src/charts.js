@@ -1,11 +1,27 @@
 import * as echarts from 'echarts/core';
 import { BoxplotChart, CustomChart, LineChart, ScatterChart } from 'echarts/charts';
-import { DataZoomComponent, GridComponent, MarkAreaComponent, MarkLineComponent, TooltipComponent } from 'echarts/components';
+import {
+  DataZoomComponent,
+  GridComponent,
+  MarkAreaComponent,
+  MarkLineComponent,
+  TooltipComponent,
+} from 'echarts/components';
 import { SVGRenderer } from 'echarts/renderers';
 import { element } from './dom.js';
 
-echarts.use([BoxplotChart, CustomChart, LineChart, ScatterChart, DataZoomComponent, GridComponent, MarkAreaComponent,
-  MarkLineComponent, TooltipComponent, SVGRenderer]);
+echarts.use([
+  BoxplotChart,
+  CustomChart,
+  LineChart,
+  ScatterChart,
+  DataZoomComponent,
+  GridComponent,
+  MarkAreaComponent,
+  MarkLineComponent,
+  TooltipComponent,
+  SVGRenderer,
+]);
 
 const all = [];
 
@@ -30,8 +46,10 @@ export class Chart {
   }
 
   draw() {
-    this.chart.setOption({ animation: false, textStyle: { fontFamily: 'system-ui, sans-serif' }, ...this.option(this.width) },
-      { notMerge: true });
+    this.chart.setOption(
+      { animation: false, textStyle: { fontFamily: 'system-ui, sans-serif' }, ...this.option(this.width) },
+      { notMerge: true },
+    );
     this.afterDraw?.();
   }
 
@@ -60,7 +78,10 @@ export class Chart {
 
 /** Paper has its own width: charts are laid out for it before printing and back after. */
 export function resizeAllForPrint() {
-  const layOut = (onPaper) => { document.body.classList.toggle('paper', onPaper); all.forEach((chart) => chart.fit()); };
+  const layOut = (onPaper) => {
+    document.body.classList.toggle('paper', onPaper);
+    all.forEach((chart) => chart.fit());
+  };
   window.addEventListener('beforeprint', () => layOut(true));
   window.addEventListener('afterprint', () => layOut(false));
 }

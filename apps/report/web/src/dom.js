@@ -10,7 +10,13 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 export function section(parent, title, note, ...children) {
-  const node = element('section', {}, element('h2', {}, title), note ? element('p', { class: 'note' }, note) : null, ...children);
+  const node = element(
+    'section',
+    {},
+    element('h2', {}, title),
+    note ? element('p', { class: 'note' }, note) : null,
+    ...children,
+  );
   parent.append(node);
   return node;
 }
@@ -18,14 +24,28 @@ export function section(parent, title, note, ...children) {
 /** A table with a header row; cells are texts or nodes, rows may be {cells, class}. */
 export function table(head, rows, attributes = {}) {
   const cells = (tag, list) => list.map((cell) => element(tag, {}, cell ?? '–'));
-  return element('div', { class: 'scroll' }, element('table', attributes,
-    element('thead', {}, element('tr', {}, cells('th', head))),
-    element('tbody', {}, rows.map((row) => element('tr', { class: row.class ?? null }, cells('td', row.cells ?? row))))));
+  return element(
+    'div',
+    { class: 'scroll' },
+    element(
+      'table',
+      attributes,
+      element('thead', {}, element('tr', {}, cells('th', head))),
+      element(
+        'tbody',
+        {},
+        rows.map((row) => element('tr', { class: row.class ?? null }, cells('td', row.cells ?? row))),
+      ),
+    ),
+  );
 }
 
 /** A labelled choice; calls back with the value, at once and on change. */
 export function choice(label, options, choose) {
-  const select = element('select', { onchange: () => choose(select.value) },
-    options.map(({ value, text }) => element('option', { value }, text)));
+  const select = element(
+    'select',
+    { onchange: () => choose(select.value) },
+    options.map(({ value, text }) => element('option', { value }, text)),
+  );
   return element('label', { class: 'choice' }, label, ' ', select);
 }

@@ -1,19 +1,27 @@
 import { Chart, axisText } from './charts.js';
 import { element } from './dom.js';
-import { ink } from './palette.js';
 
 const margins = { left: 40, right: 10, top: 10, bottom: 28, outerBoundsMode: 'none' };
 
 /** Grows bounds so that a metre is as long on both axes of a box of that size. */
 export function equalAspect([x0, x1, y0, y1], width, height) {
   const scale = Math.min(width / (x1 - x0), height / (y1 - y0));
-  const half_x = width / scale / 2, half_y = height / scale / 2, x = (x0 + x1) / 2, y = (y0 + y1) / 2;
+  const half_x = width / scale / 2,
+    half_y = height / scale / 2,
+    x = (x0 + x1) / 2,
+    y = (y0 + y1) / 2;
   return [x - half_x, x + half_x, y - half_y, y + half_y];
 }
 
 export function boundsOf(points, margin_m) {
-  const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
-  return [Math.min(...xs) - margin_m, Math.max(...xs) + margin_m, Math.min(...ys) - margin_m, Math.max(...ys) + margin_m];
+  const xs = points.map((p) => p[0]),
+    ys = points.map((p) => p[1]);
+  return [
+    Math.min(...xs) - margin_m,
+    Math.max(...xs) + margin_m,
+    Math.min(...ys) - margin_m,
+    Math.max(...ys) + margin_m,
+  ];
 }
 
 /** A floor from above with ways on it. layers: functions that give a series each. */
@@ -21,23 +29,41 @@ export class FloorMap extends Chart {
   constructor(parent, { id, label, bounds, layers }) {
     const frame = element('div', { class: 'map' });
     parent.append(frame);
-    super(frame, { id, label, height: (width) => heightFor(bounds, width), option: (width) => option(bounds, width, layers) });
-    const button = (sign, name, act) => element('button', { type: 'button', title: name, 'aria-label': name, onclick: act }, sign);
-    frame.prepend(element('div', { class: 'zoom' }, button('+', 'zoom in', () => this.zoom(0.6)), button('−', 'zoom out', () => this.zoom(1 / 0.6)),
-      button('⤢', 'all', () => this.zoom(Infinity))));
+    super(frame, {
+      id,
+      label,
+      height: (width) => heightFor(bounds, width),
+      option: (width) => option(bounds, width, layers),
+    });
+    const button = (sign, name, act) =>
+      element('button', { type: 'button', title: name, 'aria-label': name, onclick: act }, sign);
+    frame.prepend(
+      element(
+        'div',
+        { class: 'zoom' },
+        button('+', 'zoom in', () => this.zoom(0.6)),
+        button('−', 'zoom out', () => this.zoom(1 / 0.6)),
+        button('⤢', 'all', () => this.zoom(Infinity)),
+      ),
+    );
     this.vehicle = element('div', { class: 'vehicle', hidden: true });
     this.box.append(this.vehicle);
     this.chart.on('dataZoom', () => this.placeVehicle());
   }
 
-  afterDraw() { this.placeVehicle(); }
+  afterDraw() {
+    this.placeVehicle();
+  }
 
   zoom(factor) {
     const windows = this.chart.getOption().dataZoom.map(({ start, end }) => {
-      const half = Math.min(50, ((end - start) / 2) * factor), middle = Math.min(100 - half, Math.max(half, (start + end) / 2));
+      const half = Math.min(50, ((end - start) / 2) * factor),
+        middle = Math.min(100 - half, Math.max(half, (start + end) / 2));
       return [middle - half, middle + half];
     });
-    windows.forEach(([start, end], dataZoomIndex) => this.chart.dispatchAction({ type: 'dataZoom', dataZoomIndex, start, end }));
+    windows.forEach(([start, end], dataZoomIndex) =>
+      this.chart.dispatchAction({ type: 'dataZoom', dataZoomIndex, start, end }),
+    );
   }
 
   showVehicle(pose) {
@@ -61,47 +87,42 @@ function heightFor([x0, x1, y0, y1], width) {
 
 function option(bounds, width, layers) {
   const height = heightFor(bounds, width);
-  const [x0, x1, y0, y1] = equalAspect(bounds, width - margins.left - margins.right, height - margins.top - margins.bottom);
-  const axis = (min, max) => ({ type: 'value', min, max, axisLabel: { ...axisText, showMinLabel: false, showMaxLabel: false, hideOverlap: true,
-    formatter: (value) => `${Number(value.toFixed(2))}`.replace('-', '−') },
-    splitLine: { show: false }, axisLine: { onZero: false, lineStyle: { color: '#999' } } });
-  const inside = { type: 'inside', filterMode: 'none', zoomOnMouseWheel: 'ctrl', moveOnMouseWheel: false, moveOnMouseMove: true, minSpan: 0.5 };
+  const [x0, x1, y0, y1] = equalAspect(
+    bounds,
+    width - margins.left - margins.right,
+    height - margins.top - margins.bottom,
+  );
+  const axis = (min, max) => ({
+    type: 'value',
+    min,
+    max,
+    axisLabel: {
+      ...axisText,
+      showMinLabel: false,
+      showMaxLabel: false,
+      hideOverlap: true,
+      formatter: (value) => `${Number(value.toFixed(2))}`.replace('-', '−'),
+    },
+    splitLine: { show: false },
+    axisLine: { onZero: false, lineStyle: { color: '#999' } },
+  });
+  const inside = {
+    type: 'inside',
+    filterMode: 'none',
+    zoomOnMouseWheel: 'ctrl',
+    moveOnMouseWheel: false,
+    moveOnMouseMove: true,
+    minSpan: 0.5,
+  };
   return {
-    grid: margins, xAxis: axis(x0, x1), yAxis: axis(y0, y1),
-    dataZoom: [{ ...inside, xAxisIndex: 0 }, { ...inside, yAxisIndex: 0 }],
+    grid: margins,
+    xAxis: axis(x0, x1),
+    yAxis: axis(y0, y1),
+    dataZoom: [
+      { ...inside, xAxisIndex: 0 },
+      { ...inside, yAxisIndex: 0 },
+    ],
     tooltip: { show: false },
     series: layers().flat(),
   };
 }
-
-/** One drawing in metres: `draw(api)` gives the shapes. */
-const drawing = (draw, z) => ({ type: 'custom', silent: true, clip: true, z, data: [[0, 0]], renderItem: (params, api) => draw(api) });
-const metre_px = (api) => api.size([1, 1])[0];
-const polyline = (points, style) => ({ type: 'polyline', shape: { points }, style: { fill: 'none', lineJoin: 'round', ...style } });
-
-/** A colour on its way to white, so that what is flown stands out; opaque, since lines cross. */
-const pale = (colour) => `#${[1, 3, 5].map((k) => Math.round(255 - 0.35 * (255 - parseInt(colour.slice(k, k + 2), 16))).toString(16).padStart(2, '0')).join('')}`;
-
-/** The painted lines. */
-export const paint = (floor) => drawing((api) => ({ type: 'group', children: [
-  ...floor.lines.map((line) => polyline(line.points.map((p) => api.coord(p)),
-    { stroke: pale(line.colour), lineWidth: Math.max(1, line.width_m * metre_px(api)), lineCap: 'square' })),
-  ...floor.markers.map((marker) => { const [cx, cy] = api.coord(marker.at);
-    return { type: 'circle', shape: { cx, cy, r: marker.radius_m * metre_px(api) }, style: { fill: pale(marker.colour) } }; }),
-] }), 0);
-
-export const trueWay = (route) => drawing((api) => ({ type: 'group', children: route.map((leg) =>
-  polyline(leg.points.map((p) => api.coord(p)), { stroke: '#444', lineWidth: 1.2, lineDash: [5, 4] })) }), 2);
-
-export const flownPath = (name, points, colour, dash = 'solid') => ({ type: 'line', name, data: points, showSymbol: false, z: 3,
-  lineStyle: { color: colour, width: 1.8, type: dash }, itemStyle: { color: colour }, emphasis: { disabled: true }, clip: true });
-
-export const rings = (centre, list) => drawing((api) => { const [cx, cy] = api.coord(centre);
-  return { type: 'group', children: list.flatMap(({ radius_m, colour, dash, text }) => { const r = radius_m * metre_px(api);
-    return [{ type: 'circle', shape: { cx, cy, r }, style: { fill: 'none', stroke: colour, lineWidth: 1, lineDash: dash } },
-      { type: 'text', silent: true, x: cx, y: cy - r - 2, style: { text: r < 14 ? '' : text, fill: colour, fontSize: 11, align: 'center', verticalAlign: 'bottom' } }]; }) }; }, 1);
-
-/** A named place: [{at, text, symbol, colour}]. */
-export const places = (list) => ({ type: 'scatter', z: 5, silent: true, clip: true, data: list.map(({ at, text, symbol, colour, size = 12, position = 'right' }) => ({
-  value: at, symbol, symbolSize: size, itemStyle: { color: colour ?? ink.vermilion, borderColor: '#fff', borderWidth: 1 },
-  label: { show: Boolean(text), formatter: text, position, color: '#000', fontSize: 12, textBorderColor: '#fff', textBorderWidth: 3 } })) });

@@ -1,6 +1,16 @@
 // Okabe and Ito's colours, which colour-blind readers tell apart.
-export const ink = { blue: '#0072B2', sky: '#56B4E9', green: '#009E73', vermilion: '#D55E00', orange: '#E69F00',
-  purple: '#CC79A7', yellow: '#F0E442', black: '#000000', grey: '#8a8a8a', pale: '#d9d9d9' };
+export const ink = {
+  blue: '#0072B2',
+  sky: '#56B4E9',
+  green: '#009E73',
+  vermilion: '#D55E00',
+  orange: '#E69F00',
+  purple: '#CC79A7',
+  yellow: '#F0E442',
+  black: '#000000',
+  grey: '#8a8a8a',
+  pale: '#d9d9d9',
+};
 
 // Yellow is too faint for a thin line on white: an olive of the same hue stands in for it there.
 const lines = [ink.blue, ink.vermilion, ink.green, ink.orange, ink.purple, ink.sky, ink.black, ink.grey, '#8f7c00'];

@@ -6,15 +6,44 @@ export class Scrubber {
   constructor(page, { ticks, phases, thumbnails }, views) {
     Object.assign(this, { ticks, phases, thumbnails, views, window_s: Infinity });
     const tick_count = ticks.t_s.length;
-    this.slider = element('input', { type: 'range', id: 'time', min: 0, max: tick_count - 1, step: 1, 'aria-label': 'time', oninput: () => this.show(Number(this.slider.value)) });
+    this.slider = element('input', {
+      type: 'range',
+      id: 'time',
+      min: 0,
+      max: tick_count - 1,
+      step: 1,
+      'aria-label': 'time',
+      oninput: () => this.show(Number(this.slider.value)),
+    });
     this.text = element('output', { id: 'now', for: 'time' });
     this.picture = element('img', { id: 'camera', alt: 'what the camera saw', hidden: true });
-    page.append(element('div', { class: 'scrubber' }, this.picture,
-      element('div', { class: 'controls' }, this.text, this.slider,
-        choice('window', [{ value: 'Infinity', text: 'all' }, ...[60, 20, 5].map((s) => ({ value: s, text: `${s} s` }))], (value) => this.setWindow(Number(value))))));
-    if (thumbnails.length === 0) page.append(element('p', { class: 'note', id: 'no-camera' }, 'No camera pictures: this flight recorded none.'));
+    page.append(
+      element(
+        'div',
+        { class: 'scrubber' },
+        this.picture,
+        element(
+          'div',
+          { class: 'controls' },
+          this.text,
+          this.slider,
+          choice(
+            'window',
+            [{ value: 'Infinity', text: 'all' }, ...[60, 20, 5].map((s) => ({ value: s, text: `${s} s` }))],
+            (value) => this.setWindow(Number(value)),
+          ),
+        ),
+      ),
+    );
+    if (thumbnails.length === 0)
+      page.append(element('p', { class: 'note', id: 'no-camera' }, 'No camera pictures: this flight recorded none.'));
     for (const { chart } of views) chart?.onClick(([t_s]) => this.show(this.tickAt(t_s)));
-    this.show(Math.max(0, ticks.phase.findIndex((phase) => phases[phase] === 'follow')));
+    this.show(
+      Math.max(
+        0,
+        ticks.phase.findIndex((phase) => phases[phase] === 'follow'),
+      ),
+    );
   }
 
   tickAt(t_s) {
@@ -44,7 +73,9 @@ export class Scrubber {
   }
 
   showWindow() {
-    const { t_s } = this.ticks, end = t_s[t_s.length - 1], length = Math.min(this.window_s, end);
+    const { t_s } = this.ticks,
+      end = t_s[t_s.length - 1],
+      length = Math.min(this.window_s, end);
     const from = Math.min(Math.max(0, t_s[this.tick] - length / 2), end - length);
     for (const { chart } of this.views) chart?.showWindow(from, from + length);
   }
