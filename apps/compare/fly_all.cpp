@@ -16,7 +16,7 @@ std::optional<std::vector<FlightSummary>> fly_all(const std::vector<FlightTask>&
     Mission mission = *tasks[i].mission;
     mission.request.seed = tasks[i].seed;
     FlownMission flown = fly_mission(mission, [&](const FlightProgress&) { return !broken_off; });
-    if (tasks[i].trace) *tasks[i].trace = trace_of(mission, flown.record);
+    if (tasks[i].trace) *tasks[i].trace = trace_of(mission, flown);
     summaries[i] = std::move(flown.summary);
   };
   const bool all_flown = for_each_index(tasks.size(), jobs, fly, [&](std::size_t done) {

@@ -125,7 +125,7 @@ std::string flight_data(const Mission& mission, const FlightRecord& record, cons
   append_member(json, "phases", phases_json());
   append_member(json, "thumbnails", thumbnails_json(thumbnails));
   json += ",\"ticks\":";
-  const std::vector<TickRow> rows = tick_rows(mission, record, route);
+  const std::vector<TickRow> rows = tick_rows(record, route, summary.junctions);
   TickColumns columns(json, rows);
   add_truth(columns);
   add_seen(columns);

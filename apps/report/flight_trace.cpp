@@ -20,10 +20,10 @@ bool errs_less(const TracePoint& a, const TracePoint& b) {
 
 }  // namespace
 
-FlightTrace trace_of(const Mission& mission, const FlightRecord& record) {
+FlightTrace trace_of(const Mission& mission, const FlownMission& flown) {
   const RouteTruth route = route_truth(mission.floor, mission.plan);
   FlightTrace trace{floor_json(mission.floor), route_json(route), {}, {}};
-  for (const TickRow& row : tick_rows(mission, record, route)) {
+  for (const TickRow& row : tick_rows(flown.record, route, flown.summary.junctions)) {
     const TickRecord& tick = *row.tick;
     const double t_s = vehicle::seconds(tick.t);
     trace.points.push_back({t_s, tick.now.p_WB.x(), tick.now.p_WB.y(), row.error_m, row.leg});

@@ -28,7 +28,7 @@ struct FlightTrace {
   std::vector<TracedCode> codes;
 };
 
-FlightTrace trace_of(const Mission& mission, const FlightRecord& record);
+FlightTrace trace_of(const Mission& mission, const FlownMission& flown);
 
 /// At most so many points: of each stretch the one with the largest error.
 std::vector<TracePoint> thinned(const std::vector<TracePoint>& points, std::size_t most);

@@ -1,7 +1,5 @@
 #include "apps/report/tick_rows.h"
 
-#include "apps/flight/convert.h"
-#include "apps/scoring/junction_score.h"
 #include "apps/scoring/track_score.h"
 
 namespace lineservo::apps {
@@ -23,14 +21,12 @@ void add_errors(std::vector<TickRow>& rows, const std::vector<TrackSample>& samp
 
 }  // namespace
 
-std::vector<TickRow> tick_rows(const Mission& mission, const FlightRecord& record, const RouteTruth& route) {
-  const CameraSettings& camera = mission.request.settings.camera;
-  const JunctionTruth truth(mission.floor, features::CameraModel(camera_parameters(camera)));
+std::vector<TickRow> tick_rows(const FlightRecord& record, const RouteTruth& route,
+                               const JunctionScore& junctions) {
   std::vector<TickRow> rows;
-  for (const TickRecord& tick : record.ticks) {
-    TickRow& row = rows.emplace_back(TickRow{&tick});
-    const auto code = scored_truth(tick, truth, 1.0 / camera.frame_rate_hz);
-    if (code) row.true_code = static_cast<int>(code->accepts(tick.code.raw) ? tick.code.raw : code->code);
+  for (std::size_t k = 0; k < record.ticks.size(); ++k) {
+    TickRow& row = rows.emplace_back(TickRow{&record.ticks[k]});
+    row.true_code = junctions.true_codes.at(k);
   }
   add_errors(rows, track_samples(record, route));
   return rows;

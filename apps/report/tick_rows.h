@@ -3,7 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "apps/flight/mission.h"
+#include "apps/flight/flight_record.h"
+#include "apps/scoring/junction_score.h"
 #include "apps/scoring/route_truth.h"
 
 namespace lineservo::apps {
@@ -17,6 +18,7 @@ struct TickRow {
   int true_code = -1;  ///< of a scored frame; where two count, the one that was seen
 };
 
-std::vector<TickRow> tick_rows(const Mission& mission, const FlightRecord& record, const RouteTruth& route);
+std::vector<TickRow> tick_rows(const FlightRecord& record, const RouteTruth& route,
+                               const JunctionScore& junctions);
 
 }  // namespace lineservo::apps

@@ -1,6 +1,7 @@
 #include "apps/scoring/junction_score.h"
 
 #include <limits>
+#include <optional>
 
 namespace lineservo::apps {
 namespace {
@@ -19,13 +20,7 @@ std::size_t index(features::JunctionCode code) {
   return static_cast<std::size_t>(code);
 }
 
-}  // namespace
-
-double JunctionScore::accuracy(long wrong) const {
-  if (frames == 0) return std::numeric_limits<double>::quiet_NaN();
-  return 1.0 - static_cast<double>(wrong) / static_cast<double>(frames);
-}
-
+/// What the frame of a tick truly showed; none where it is not scored.
 std::optional<CodeTruth> scored_truth(const TickRecord& tick, const JunctionTruth& truth,
                                       double frame_period_s) {
   if (tick.at_capture.phase != servo::Phase::follow || tick.now.phase != servo::Phase::follow)
@@ -36,10 +31,18 @@ std::optional<CodeTruth> scored_truth(const TickRecord& tick, const JunctionTrut
   return code.scored ? std::optional(std::move(code)) : std::nullopt;
 }
 
+}  // namespace
+
+double JunctionScore::accuracy(long wrong) const {
+  if (frames == 0) return std::numeric_limits<double>::quiet_NaN();
+  return 1.0 - static_cast<double>(wrong) / static_cast<double>(frames);
+}
+
 JunctionScore score_junctions(const FlightRecord& record, const JunctionTruth& truth, double frame_period_s) {
   JunctionScore score;
   for (const TickRecord& tick : record.ticks) {
     const std::optional<CodeTruth> code = scored_truth(tick, truth, frame_period_s);
+    score.true_codes.push_back(JunctionScore::kNotScored);
     if (!code) continue;
     ++score.frames;
     score.ambiguous += code->ambiguous() ? 1 : 0;
@@ -47,6 +50,7 @@ JunctionScore score_junctions(const FlightRecord& record, const JunctionTruth& t
     score.held_wrong += code->accepts(tick.code.held) ? 0 : 1;
     score.smoothed_wrong += code->accepts(tick.code.smoothed) ? 0 : 1;
     const features::JunctionCode true_code = code->accepts(tick.code.raw) ? tick.code.raw : code->code;
+    score.true_codes.back() = static_cast<std::int8_t>(true_code);
     ++score.confusion[index(true_code)][index(tick.code.raw)];
   }
   score.events_right = record.steps_done;

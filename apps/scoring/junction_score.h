@@ -1,7 +1,8 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <cstdint>
+#include <vector>
 
 #include "apps/flight/flight_record.h"
 #include "apps/scoring/junction_truth.h"
@@ -18,13 +19,12 @@ struct JunctionScore {
   int events_right = 0;
   std::array<std::array<long, features::kJunctionCodes>, features::kJunctionCodes> confusion =
       {};  ///< [true][raw]
+  /// Of each tick: the true code, where two count the one that was seen; kNotScored.
+  std::vector<std::int8_t> true_codes;
+  static constexpr std::int8_t kNotScored = -1;
 
   double accuracy(long wrong) const;  ///< NaN without frames
 };
-
-/// What the frame of a tick truly showed; none where it is not scored.
-std::optional<CodeTruth> scored_truth(const TickRecord& tick, const JunctionTruth& truth,
-                                      double frame_period_s);
 
 /// `frame_period_s`: between two frames, for how far the vehicle moves meanwhile.
 JunctionScore score_junctions(const FlightRecord& record, const JunctionTruth& truth, double frame_period_s);
