@@ -50,8 +50,8 @@ function heading(page, { comparison: { settings: s, controllers, flights } }) {
       element(
         'p',
         {},
-        `${controllers.length} rows, ${flights.length} flights, of which ${arrived} arrived; conditions ${s.conditions}, ${s.runs} runs of each instruction, ` +
-          `seeds ${s.seed} to ${s.seed + s.runs - 1}, lineservo ${s.version}`,
+        `${controllers.length} rows, ${flights.length} flights, of which ${arrived} arrived; conditions ${s.conditions}, ${s.runs === 1 ? 'one run' : `${s.runs} runs`} of each instruction, ` +
+          `${s.runs === 1 ? `seed ${s.seed}` : `seeds ${s.seed} to ${s.seed + s.runs - 1}`}, lineservo ${s.version}`,
       ),
     ),
   );

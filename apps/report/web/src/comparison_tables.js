@@ -6,7 +6,7 @@ export function tables(page, { comparison }, rows) {
   const node = section(
     page,
     'Results',
-    'Means over the flights that have the figure, with the 95 % bootstrap interval of the mean below; of arrivals Wilson’s interval. ' +
+    'Means over the flights that have the figure (mean size: of the size of the error), with the 95 % bootstrap interval of the mean below; of arrivals Wilson’s interval. ' +
       'Grey: the published figures. * marks laws that fly otherwise than in their paper; how is said at the end.',
   );
   for (const group of new Set(rows.map((row) => row.group))) {
@@ -18,6 +18,7 @@ export function tables(page, { comparison }, rows) {
           '',
           'arrived',
           'RMSE',
+          'mean size',
           'largest, mean',
           'largest',
           'at turns',
@@ -57,6 +58,7 @@ function figures(row) {
       element('small', {}, between(percent(row.success_ci95[0], 0), percent(row.success_ci95[1], 0))),
     ),
     mean('rmse_m', centimetres),
+    mean('mean_m', centimetres),
     mean('max_m', centimetres, row.max_mean_m),
     centimetres(row.max_m),
     mean('turn_max_m', centimetres),
@@ -70,9 +72,10 @@ function figures(row) {
 const publishedFigures = (row) => ({
   class: 'published',
   cells: [
-    `${row.who}, ${row.source}`,
+    cell(`${row.who}, ${row.source}`, element('small', {}, row.note)),
     '',
     centimetres(row.rmse_m),
+    centimetres(row.mean_m),
     '',
     centimetres(row.max_m),
     '',

@@ -14,9 +14,9 @@ export const metrics = [
 
 /** A row of the tables: a controller with its parameters on a floor at a speed, with what it is drawn with. */
 export function rowsOf({ comparison, errors, mean_ci95 }) {
-  const names = [...new Set(comparison.controllers.map((row) => row.name))];
+  const laws = [...new Set(comparison.controllers.map(lawOf))];
   return comparison.controllers.map((row, index) => {
-    const k = names.indexOf(row.name);
+    const k = laws.indexOf(lawOf(row));
     return {
       ...row,
       index,
@@ -24,7 +24,7 @@ export function rowsOf({ comparison, errors, mean_ci95 }) {
       label: labelOf(row),
       colour: lineColour(k),
       symbol: symbols[k % symbols.length],
-      dash: row.tuned ? 'dashed' : row.variant ? 'dotted' : 'solid',
+      dash: row.tuned ? 'dashed' : 'solid',
       errors: errors.rows[index],
       ci95: mean_ci95[index],
       flights: flightsOf(comparison, row),
@@ -41,6 +41,9 @@ export const groupOf = (row) =>
   ]
     .filter(Boolean)
     .join(', ');
+
+/** What has a colour of its own. */
+const lawOf = (row) => `${row.name} ${row.variant}`;
 
 export const labelOf = (row) => [row.name, row.tuned ? 'tuned' : '', row.variant].filter(Boolean).join(' ');
 
