@@ -17,9 +17,15 @@ const bundled = await build({
   legalComments: 'eof',
   write: false,
 });
+
+// What is handed on with every report.
+const licences = ['echarts/LICENSE', 'echarts/NOTICE', 'zrender/LICENSE', 'tslib/LICENSE.txt'];
+const texts = licences.map(async (name) => `${name}\n\n${await readFile(join(target, 'node_modules', name), 'utf8')}`);
+
 const parts = {
   '@STYLE@': await readFile(join(source, 'style.css'), 'utf8'),
   '@SCRIPT@': bundled.outputFiles[0].text,
+  '@LICENCES@': (await Promise.all(texts)).join('\n\n'),
 };
 let page = await readFile(join(source, 'page.html'), 'utf8');
 for (const [place, text] of Object.entries(parts)) page = page.replace(place, () => text);
