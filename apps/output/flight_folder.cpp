@@ -29,10 +29,6 @@ void keep(ResultFolder& folder, const std::string& name, const std::optional<std
   reference = name;
 }
 
-std::string title_of(const FlightRequest& request) {
-  return fmt::format("{} · {} · lineservo", request.instruction, request.controller);
-}
-
 }  // namespace
 
 const std::vector<std::string>& flight_files() {
@@ -48,6 +44,13 @@ OwnFiles own_files(const FlightRequest& request) {
           own_text(DataKind::layout, request.layout), own_text(DataKind::conditions, request.conditions)};
 }
 
+bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlightRecord& record,
+                         const FlightSummary& summary) {
+  const FlightRequest& request = mission.request;
+  return write_report(folder, fmt::format("{} · {} · lineservo", request.instruction, request.controller),
+                      [&] { return flight_data(mission, record, summary); });
+}
+
 void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,
                   const FlightRecord& record, const FlightSummary& summary) {
   FlightRequest kept = mission.request;
@@ -57,7 +60,7 @@ void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& 
   folder.write("flight.csv", flight_csv(record));
   folder.write("events.csv", events_csv(record));
   folder.write("config.yaml", config_text(kept));
-  write_report(folder, title_of(mission.request), [&] { return flight_data(mission, record, summary); });
+  write_flight_report(folder, mission, record, summary);
   folder.write("summary.json", json_text(to_json(mission.request, summary), 2));
   folder.publish();
 }

@@ -27,4 +27,8 @@ OwnFiles own_files(const FlightRequest& request);
 void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,
                   const FlightRecord& record, const FlightSummary& summary);
 
+/// Writes report.html alone; false, with a line on stderr, where the program has no page for it.
+bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlightRecord& record,
+                         const FlightSummary& summary);
+
 }  // namespace lineservo::apps

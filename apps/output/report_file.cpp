@@ -6,13 +6,16 @@
 
 namespace lineservo::apps {
 
-void write_report(ResultFolder& folder, const std::string& title, const std::function<std::string()>& data) {
-  if (const auto page = find_report_page())
-    return folder.write(kReportFile, filled_page(*page, title, data()));
+bool write_report(ResultFolder& folder, const std::string& title, const std::function<std::string()>& data) {
+  if (const auto page = find_report_page()) {
+    folder.write(kReportFile, filled_page(*page, title, data()));
+    return true;
+  }
   folder.leave_out(kReportFile);
   fmt::print(stderr,
              "lineservo: report.html is not written: its page was not built, which needs npm; "
              "cmake --build build/release --target report_page tells more\n");
+  return false;
 }
 
 }  // namespace lineservo::apps
