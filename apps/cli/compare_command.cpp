@@ -16,13 +16,16 @@
 #include "apps/compare/presets.h"
 #include "apps/config/input_error.h"
 #include "apps/output/json_text.h"
+#include "apps/output/report_file.h"
 #include "apps/output/result_folder.h"
+#include "apps/report/comparison_data.h"
 #include "servo/law/controllers.h"
 
 namespace lineservo::apps {
 namespace {
 
-const std::vector<std::string> kResults = {"comparison.csv", "distribution.csv", "comparison.json"};
+const std::vector<std::string> kResults = {"comparison.csv", "distribution.csv", kReportFile,
+                                           "comparison.json"};
 
 struct Arguments {
   Block block;  ///< without a preset
@@ -78,6 +81,7 @@ ComparisonOptions options_of(const Arguments& a) {
 void write_results(ResultFolder& folder, const ComparisonResult& result, const std::string& json) {
   folder.write("comparison.csv", comparison_csv(result));
   folder.write("distribution.csv", distribution_csv(result));
+  write_report(folder, "Comparison · lineservo", [&] { return comparison_data(result); });
   folder.write("comparison.json", json);
   folder.publish();
 }
@@ -150,7 +154,8 @@ void add_run_options(CLI::App& command, Arguments& a) {
           "--set", [&a](const std::string& s) { a.options.overrides.push_back(s); },
           "KEY=VALUE: any setting of config.yaml, for every flight; may be repeated")
       ->trigger_on_parse();
-  command.add_option("--out", a.out, "folder for comparison.json, comparison.csv and distribution.csv");
+  command.add_option("--out", a.out,
+                     "folder for comparison.json, comparison.csv, distribution.csv and report.html");
   command.add_flag("--json", a.json, "print comparison.json instead of the table");
 }
 

@@ -100,7 +100,7 @@ int fly(const FlyArguments& arguments) {
   line.clear();
   if (recorder) recorder->write();
   if (folder && !recorder) leave_out_recording(*folder);
-  if (folder) write_flight(*folder, request, own, record, summary);
+  if (folder) write_flight(*folder, mission, own, record, summary);
   if (arguments.json) {
     fmt::print("{}", json_text(to_json(request, summary), 2));
   } else {
@@ -144,7 +144,7 @@ void add_fly_command(CLI::App& app, int& exit_code) {
   CLI::Option* explain = command->add_flag("--explain", a.explain, "print the plan and do not fly");
   CLI::Option* out = command->add_option(
       "--out", a.out,
-      "folder for summary.json, flight.csv, events.csv, config.yaml, and mission.yaml, layout.yaml and "
+      "folder for summary.json, flight.csv, events.csv, config.yaml, report.html, and mission.yaml, layout.yaml and "
       "conditions.yaml when they are your own");
   command
       ->add_flag("--record", a.record,

@@ -18,6 +18,7 @@
 #include "apps/cli/import_track_command.h"
 #include "apps/cli/list_commands.h"
 #include "apps/cli/replay_command.h"
+#include "apps/cli/report_command.h"
 #include "apps/cli/test_command.h"
 #include "apps/cli/train_command.h"
 #include "apps/cli/tune_command.h"
@@ -76,6 +77,7 @@ int run(int argc, char** argv) try {
   add_import_track_command(app);
   add_calibrate_command(app);
   add_list_commands(app);
+  add_report_command(app, exit_code);
   add_test_command(app);
   add_train_command(app);
   add_tune_command(app, exit_code);

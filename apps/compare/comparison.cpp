@@ -172,7 +172,7 @@ void Comparison::add_flights(Contestant& contestant, const std::string& instruct
   for (int run = 0; run < options.runs; ++run) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(run);
     if (conditions_range(options.conditions)) draw_mission(contestant.entry, seed, options);
-    tasks_.push_back({&missions_.back(), seed});
+    tasks_.push_back({&missions_.back(), seed, run == 0 ? &traces_.emplace_back() : nullptr});
     contestant.flights.push_back({instruction, seed, fly_again(contestant.entry, instruction, seed), {}});
   }
 }
@@ -193,8 +193,12 @@ std::optional<std::vector<Contestant>> Comparison::fly(int jobs,
   if (!summaries) return std::nullopt;
   std::vector<Contestant> flown = contestants_;
   auto summary = summaries->begin();
+  auto task = tasks_.begin();
   for (Contestant& contestant : flown) {
-    for (ComparedFlight& flight : contestant.flights) flight.summary = std::move(*summary++);
+    for (ComparedFlight& flight : contestant.flights) {
+      flight.summary = std::move(*summary++);
+      if (const FlightTrace* trace = (task++)->trace) flight.trace = *trace;
+    }
   }
   return flown;
 }

@@ -70,6 +70,7 @@ struct ComparedFlight {
   std::uint64_t seed = 0;
   std::string command;  ///< flies it again
   FlightSummary summary;
+  std::optional<FlightTrace> trace = {};  ///< of the first run of each instruction
 };
 
 /// A row: an entry with its flights, in the order of instructions, then seeds.
@@ -97,7 +98,8 @@ class Comparison {
   void draw_mission(const Entry& common, std::uint64_t seed, const ComparisonOptions& options);
 
   std::vector<Contestant> contestants_;
-  std::deque<Mission> missions_;   ///< of every contestant and instruction, or flight; without the seed
+  std::deque<Mission> missions_;  ///< of every contestant and instruction, or flight; without the seed
+  std::deque<FlightTrace> traces_;
   std::vector<FlightTask> tasks_;  ///< in the order of the contestants' flights
 };
 

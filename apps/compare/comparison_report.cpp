@@ -17,9 +17,6 @@ using nlohmann::ordered_json;
 ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
-ordered_json number(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
 ordered_json interval(const Interval& i) {
   return {number(i.low), number(i.high)};
 }
@@ -107,19 +104,6 @@ ordered_json json_of(const Entry& e, const ComparedFlight& f) {
   return json;
 }
 
-ordered_json json_of(const PublishedRow& r) {
-  return {{"title", r.title},
-          {"who", r.who},
-          {"source", r.source},
-          {"junction_accuracy", number(r.junction_accuracy)},
-          {"rmse_m", number(r.rmse_m)},
-          {"max_m", number(r.max_m)},
-          {"mean_m", number(r.mean_m)},
-          {"terminal_error_m", number(r.terminal_error_m)},
-          {"duration_s", number(r.duration_s)},
-          {"note", r.note}};
-}
-
 ordered_json published_json(const ComparisonResult& result) {
   ordered_json json = ordered_json::array();
   if (result.preset.empty()) return json;
@@ -127,7 +111,7 @@ ordered_json published_json(const ComparisonResult& result) {
   for (const Block& block : result.options.blocks) {
     if (block.title == last) continue;
     last = block.title;
-    for (const PublishedRow& row : published_beside(block.title)) json.push_back(json_of(row));
+    for (const PublishedRow& row : published_beside(block.title)) json.push_back(to_json(row));
   }
   return json;
 }

@@ -15,7 +15,9 @@ std::optional<std::vector<FlightSummary>> fly_all(const std::vector<FlightTask>&
   const auto fly = [&](std::size_t i) {
     Mission mission = *tasks[i].mission;
     mission.request.seed = tasks[i].seed;
-    summaries[i] = fly_mission(mission, [&](const FlightProgress&) { return !broken_off; }).summary;
+    FlownMission flown = fly_mission(mission, [&](const FlightProgress&) { return !broken_off; });
+    if (tasks[i].trace) *tasks[i].trace = trace_of(mission, flown);
+    summaries[i] = std::move(flown.summary);
   };
   const bool all_flown = for_each_index(tasks.size(), jobs, fly, [&](std::size_t done) {
     if (!watch(done)) broken_off = true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/flight/mission.h"
+#include "apps/report/flight_trace.h"
 
 namespace lineservo::apps {
 
@@ -13,6 +14,7 @@ namespace lineservo::apps {
 struct FlightTask {
   const Mission* mission;
   std::uint64_t seed;
+  FlightTrace* trace = nullptr;  ///< where to keep what draws the flight; null: nowhere
 };
 
 /// Flies all of them on so many threads; the summaries are in the order of the tasks and, but for the

@@ -1,5 +1,7 @@
 #include "apps/output/flight_folder.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <iterator>
 
@@ -11,6 +13,8 @@
 #include "apps/config/text_file.h"
 #include "apps/output/flight_tables.h"
 #include "apps/output/json_text.h"
+#include "apps/output/report_file.h"
+#include "apps/report/flight_data.h"
 
 namespace lineservo::apps {
 namespace {
@@ -45,7 +49,7 @@ std::optional<OwnFiles::Image> own_bitmap(const std::string& layout) {
 const std::vector<std::string>& flight_files() {
   static const std::vector<std::string> kFiles = {"mission.yaml", "layout.yaml", "conditions.yaml",
                                                   "flight.csv",   "events.csv",  "config.yaml",
-                                                  "summary.json"};
+                                                  "report.html",  "summary.json"};
   return kFiles;
 }
 
@@ -56,9 +60,16 @@ OwnFiles own_files(const FlightRequest& request) {
           own_bitmap(request.layout)};
 }
 
-void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnFiles& own,
+bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlightRecord& record,
+                         const FlightSummary& summary) {
+  const FlightRequest& request = mission.request;
+  return write_report(folder, fmt::format("{} · {} · lineservo", request.instruction, request.controller),
+                      [&] { return flight_data(mission, record, summary); });
+}
+
+void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,
                   const FlightRecord& record, const FlightSummary& summary) {
-  FlightRequest kept = request;
+  FlightRequest kept = mission.request;
   keep(folder, "mission.yaml", own.mission, kept.instruction);
   keep(folder, "layout.yaml", own.layout, kept.layout);
   if (own.bitmap) folder.write(own.bitmap->name, own.bitmap->bytes);
@@ -66,7 +77,8 @@ void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnF
   folder.write("flight.csv", flight_csv(record));
   folder.write("events.csv", events_csv(record));
   folder.write("config.yaml", config_text(kept));
-  folder.write("summary.json", json_text(to_json(request, summary), 2));
+  write_flight_report(folder, mission, record, summary);
+  folder.write("summary.json", json_text(to_json(mission.request, summary), 2));
   folder.publish();
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/config/flight_request.h"
-#include "apps/flight/flight_record.h"
+#include "apps/flight/mission.h"
 #include "apps/output/flight_summary.h"
 #include "apps/output/result_folder.h"
 
@@ -26,8 +26,13 @@ const std::vector<std::string>& flight_files();
 /// Throws InputError when a file cannot be read. Call it before the flight: afterwards they may have changed.
 OwnFiles own_files(const FlightRequest& request);
 
-/// Writes summary.json, flight.csv, events.csv, config.yaml and the own files, and publishes them.
-void write_flight(ResultFolder& folder, const FlightRequest& request, const OwnFiles& own,
+/// Writes summary.json, flight.csv, events.csv, config.yaml, the own files and, where the program has its
+/// page, report.html, and publishes them.
+void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,
                   const FlightRecord& record, const FlightSummary& summary);
+
+/// Writes report.html alone; false, with a line on stderr, where the program has no page for it.
+bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlightRecord& record,
+                         const FlightSummary& summary);
 
 }  // namespace lineservo::apps

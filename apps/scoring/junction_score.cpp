@@ -1,6 +1,7 @@
 #include "apps/scoring/junction_score.h"
 
 #include <limits>
+#include <optional>
 
 namespace lineservo::apps {
 namespace {
@@ -19,6 +20,17 @@ std::size_t index(features::JunctionCode code) {
   return static_cast<std::size_t>(code);
 }
 
+/// What the frame of a tick truly showed; none where it is not scored.
+std::optional<CodeTruth> scored_truth(const TickRecord& tick, const JunctionTruth& truth,
+                                      double frame_period_s) {
+  if (tick.at_capture.phase != servo::Phase::follow || tick.now.phase != servo::Phase::follow)
+    return std::nullopt;
+  if (!tick.has_frame) return std::nullopt;
+  const double travel_m = tick.at_capture.v_W.head<2>().norm() * frame_period_s;
+  CodeTruth code = truth.at(pose(tick.at_capture), travel_m);
+  return code.scored ? std::optional(std::move(code)) : std::nullopt;
+}
+
 }  // namespace
 
 double JunctionScore::accuracy(long wrong) const {
@@ -29,17 +41,16 @@ double JunctionScore::accuracy(long wrong) const {
 JunctionScore score_junctions(const FlightRecord& record, const JunctionTruth& truth, double frame_period_s) {
   JunctionScore score;
   for (const TickRecord& tick : record.ticks) {
-    if (tick.at_capture.phase != servo::Phase::follow || tick.now.phase != servo::Phase::follow) continue;
-    if (!tick.has_frame) continue;
-    const double travel_m = tick.at_capture.v_W.head<2>().norm() * frame_period_s;
-    const CodeTruth code = truth.at(pose(tick.at_capture), travel_m);
-    if (!code.scored) continue;
+    const std::optional<CodeTruth> code = scored_truth(tick, truth, frame_period_s);
+    score.true_codes.push_back(JunctionScore::kNotScored);
+    if (!code) continue;
     ++score.frames;
-    score.ambiguous += code.ambiguous() ? 1 : 0;
-    score.misclassified += code.accepts(tick.code.raw) ? 0 : 1;
-    score.held_wrong += code.accepts(tick.code.held) ? 0 : 1;
-    score.smoothed_wrong += code.accepts(tick.code.smoothed) ? 0 : 1;
-    const features::JunctionCode true_code = code.accepts(tick.code.raw) ? tick.code.raw : code.code;
+    score.ambiguous += code->ambiguous() ? 1 : 0;
+    score.misclassified += code->accepts(tick.code.raw) ? 0 : 1;
+    score.held_wrong += code->accepts(tick.code.held) ? 0 : 1;
+    score.smoothed_wrong += code->accepts(tick.code.smoothed) ? 0 : 1;
+    const features::JunctionCode true_code = code->accepts(tick.code.raw) ? tick.code.raw : code->code;
+    score.true_codes.back() = static_cast<std::int8_t>(true_code);
     ++score.confusion[index(true_code)][index(tick.code.raw)];
   }
   score.events_right = record.steps_done;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "apps/flight/flight_record.h"
 #include "apps/scoring/junction_truth.h"
@@ -17,6 +19,9 @@ struct JunctionScore {
   int events_right = 0;
   std::array<std::array<long, features::kJunctionCodes>, features::kJunctionCodes> confusion =
       {};  ///< [true][raw]
+  /// Of each tick: the true code, where two count the one that was seen; kNotScored.
+  std::vector<std::int8_t> true_codes;
+  static constexpr std::int8_t kNotScored = -1;
 
   double accuracy(long wrong) const;  ///< NaN without frames
 };

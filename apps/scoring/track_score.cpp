@@ -51,35 +51,27 @@ std::size_t error_bin(double error_m) {
   return std::min(bin, ErrorDistribution{}.size() - 1);
 }
 
-/// Walks along the samples, knows the leg and whether a turn is on.
+std::size_t signed_error_bin(double signed_m) {
+  const auto inner = static_cast<double>(SignedDistribution{}.size() - 2);
+  const double bin = std::floor(signed_m / kSignedErrorBin_m + 0.5 * inner);
+  return static_cast<std::size_t>(std::clamp(bin, -1.0, inner) + 1.0);
+}
+
+/// Walks along the true states, knows the leg and whether a turn is on.
 class LegWalker {
  public:
-  explicit LegWalker(const RouteTruth& route) : route_(route), sums_(route.legs.size()) {}
+  explicit LegWalker(const RouteTruth& route) : route_(route) {}
 
-  void take(const TruthSample& s) {
+  /// None where it does not count.
+  std::optional<TrackSample> take(const TruthSample& s) {
     if (!begun_) begun_ = begin(s);
-    if (!begun_ || is_over(s)) return;
+    if (!begun_ || is_over(s)) return std::nullopt;
     if (ends_leg(s)) {
       ++leg_;
       leg_began_ = s.t;
     }
-    add(s, is_turning(s));
-  }
-
-  TrackScore score() const {
-    TrackScore score;
-    for (std::size_t k = 0; k < sums_.size(); ++k) {
-      if (sums_[k].whole.count() == 0) continue;
-      const LegTruth& leg = route_.legs[k];
-      score.legs.push_back({leg.from, leg.to, leg.axis, sums_[k].whole.statistics(), sums_[k].settled.rmse(),
-                            sums_[k].turn.max(), sums_[k].whole.count()});
-    }
-    score.all = all_.whole.statistics();
-    score.settled_rmse_m = all_.settled.rmse();
-    score.turn_max_m = all_.turn.max();
-    score.p95_m = percentile(errors_m_, 0.95);
-    for (const double error_m : errors_m_) ++score.distribution[error_bin(error_m)];
-    return score;
+    const bool turning = is_turning(s);
+    return TrackSample{s.t, leg_, signed_error_m(s, turning), turning, vehicle::seconds(s.t - leg_began_)};
   }
 
  private:
@@ -110,31 +102,39 @@ class LegWalker {
     return is_turning(s) && std::abs(off_rad) < kTurnEnds_rad;
   }
 
-  void add(const TruthSample& s, bool turning) {
+  double signed_error_m(const TruthSample& s, bool turning) const {
     const Eigen::Vector2d p_W = s.p_WB.head<2>();
     LegOffset offset = offset_from(route_.legs[leg_], p_W);
     if (turning) {
       const LegOffset next = offset_after_node(route_.legs[leg_ + 1], p_W);
       if (next.distance_m < offset.distance_m) offset = next;
     }
-    const double signed_m = std::copysign(offset.distance_m, offset.signed_m);
-    const bool early = vehicle::seconds(s.t - leg_began_) <= kSettles_s;
-    errors_m_.push_back(offset.distance_m);
-    for (LegSums* sums : {&sums_[leg_], &all_}) {
-      sums->whole.add(signed_m);
-      if (!turning && !early) sums->settled.add(signed_m);
-      if (turning || (early && leg_ > 0)) sums->turn.add(signed_m);
-    }
+    return std::copysign(offset.distance_m, offset.signed_m);
   }
 
   const RouteTruth& route_;
-  std::vector<LegSums> sums_;
-  LegSums all_;
-  std::vector<double> errors_m_;
   std::size_t leg_ = 0;
   bool begun_ = false;
   vehicle::Time leg_began_{0};
 };
+
+void add(LegSums& sums, const TrackSample& s) {
+  const bool early = s.since_leg_began_s <= kSettles_s;
+  sums.whole.add(s.signed_m);
+  if (!s.turning && !early) sums.settled.add(s.signed_m);
+  if (s.turning || (early && s.leg > 0)) sums.turn.add(s.signed_m);
+}
+
+std::vector<LegScore> leg_scores(const std::vector<LegSums>& sums, const RouteTruth& route) {
+  std::vector<LegScore> scores;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    if (sums[k].whole.count() == 0) continue;
+    const LegTruth& leg = route.legs[k];
+    scores.push_back({leg.from, leg.to, leg.axis, sums[k].whole.statistics(), sums[k].settled.rmse(),
+                      sums[k].turn.max(), sums[k].whole.count()});
+  }
+  return scores;
+}
 
 bool may_rest(const TruthSample& s, int step) {
   return s.step == step && (s.phase == Phase::hover || s.phase == Phase::finished || s.phase == Phase::dock);
@@ -158,10 +158,32 @@ Rest summarise(const std::vector<TruthSample>& truth, std::size_t first, std::si
 
 }  // namespace
 
-TrackScore score_track(const FlightRecord& record, const RouteTruth& route) {
+std::vector<TrackSample> track_samples(const FlightRecord& record, const RouteTruth& route) {
   LegWalker walker(route);
-  for (const TruthSample& sample : record.truth) walker.take(sample);
-  return walker.score();
+  std::vector<TrackSample> samples;
+  for (const TruthSample& state : record.truth) {
+    if (const auto sample = walker.take(state)) samples.push_back(*sample);
+  }
+  return samples;
+}
+
+TrackScore score_track(const FlightRecord& record, const RouteTruth& route) {
+  TrackScore score;
+  std::vector<LegSums> legs(route.legs.size());
+  LegSums all;
+  std::vector<double> errors_m;
+  for (const TrackSample& sample : track_samples(record, route)) {
+    for (LegSums* sums : {&legs[sample.leg], &all}) add(*sums, sample);
+    errors_m.push_back(std::abs(sample.signed_m));
+    ++score.distribution[error_bin(errors_m.back())];
+    ++score.signed_distribution[signed_error_bin(sample.signed_m)];
+  }
+  score.legs = leg_scores(legs, route);
+  score.all = all.whole.statistics();
+  score.settled_rmse_m = all.settled.rmse();
+  score.turn_max_m = all.turn.max();
+  score.p95_m = percentile(errors_m, 0.95);
+  return score;
 }
 
 std::optional<Rest> find_rest(const FlightRecord& record, int step, const Eigen::Vector2d& target_W) {

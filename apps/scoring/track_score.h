@@ -29,12 +29,29 @@ struct LegScore {
 inline constexpr double kErrorBin_m = 0.05;
 using ErrorDistribution = std::array<long, 20>;
 
+/// The same with its sign in bins of 5 mm about zero; the first and the last bin have no outer end.
+inline constexpr double kSignedErrorBin_m = 0.005;
+using SignedDistribution = std::array<long, 242>;
+
 struct TrackScore {
   std::vector<LegScore> legs;  ///< those that were begun
   OffsetStatistics all;
   double settled_rmse_m, turn_max_m, p95_m;  ///< of all legs
   ErrorDistribution distribution{};
+  SignedDistribution signed_distribution{};
 };
+
+/// The error at one sample of the true state.
+struct TrackSample {
+  vehicle::Time t{0};
+  std::size_t leg = 0;
+  double signed_m = 0.0;  ///< positive to the left of travel
+  bool turning = false;   ///< the turn that ends the leg is on
+  double since_leg_began_s = 0.0;
+};
+
+/// Those samples that count, in order: none before the first leg, none at a target.
+std::vector<TrackSample> track_samples(const FlightRecord& record, const RouteTruth& route);
 
 TrackScore score_track(const FlightRecord& record, const RouteTruth& route);
 

@@ -88,7 +88,7 @@ TEST_F(CompareCommandTest, TakesNothingTwice) {
 }
 
 TEST_F(CompareCommandTest, RefusesAResultNameThatIsNoFileBeforeItFlies) {
-  for (const char* name : {"comparison.json", "comparison.csv", "distribution.csv"}) {
+  for (const char* name : {"comparison.json", "comparison.csv", "distribution.csv", "report.html"}) {
     const fs::path out = path(std::string("out-") + name);
     fs::create_directories(out / name);
     EXPECT_THAT(refusal({"compare", "--instructions", "node:q", "--layout", short_flight()[3], "--conditions",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/report/report_page.h"
 #include "tests/apps/cli/program_test.h"
 
 namespace lineservo::apps {
@@ -84,8 +85,8 @@ TEST_F(FlyCommandTest, AFullDiskIsOneErrorAndLeavesNothing) {
 }
 
 TEST_F(FlyCommandTest, RefusesAResultNameThatIsNoFileBeforeItFlies) {
-  for (const char* name :
-       {"summary.json", "flight.csv", "events.csv", "config.yaml", "layout.yaml", "conditions.yaml"}) {
+  for (const char* name : {"summary.json", "flight.csv", "events.csv", "config.yaml", "layout.yaml",
+                           "conditions.yaml", "report.html"}) {
     const fs::path out = path(std::string("out-") + name);
     fs::create_directories(out / name);
     EXPECT_THAT(refusal(short_flight({"--out", out})),
@@ -124,8 +125,13 @@ TEST_F(FlyCommandTest, WritesItsFilesAndNoOther) {
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(path("a/b"))) names.push_back(entry.path().filename());
-  EXPECT_THAT(names, ::testing::UnorderedElementsAre("summary.json", "flight.csv", "events.csv",
-                                                     "config.yaml", "layout.yaml"));
+  std::vector<std::string> expected = {"summary.json", "flight.csv", "events.csv", "config.yaml",
+                                       "layout.yaml"};
+  if (find_report_page())
+    expected.push_back("report.html");
+  else
+    EXPECT_THAT(ran.err, HasSubstr("report.html is not written"));
+  EXPECT_THAT(names, ::testing::UnorderedElementsAreArray(expected));
   EXPECT_EQ(read_text(path("a/b/layout.yaml")), read_text(path("short.yaml")));
   EXPECT_THAT(read_text(path("a/b/flight.csv")), StartsWith("t_s,"));
   EXPECT_THAT(read_text(path("a/b/events.csv")), StartsWith("t_s,kind,detail\n"));

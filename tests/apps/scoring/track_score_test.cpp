@@ -111,6 +111,35 @@ TEST_F(TrackScoreTest, AnErrorBeyondTheLastBinIsInIt) {
   EXPECT_EQ(score().distribution.back(), 10);
 }
 
+TEST_F(TrackScoreTest, TheSignedDistributionKnowsLeftFromRight) {
+  flight_.fly(
+      1, 1.0, [](double t_s) { return t_s < 0.395   ? -0.012
+                                      : t_s < 0.795 ? 0.003
+                                                    : -7.0; }, 0);
+  const SignedDistribution& bins = score().signed_distribution;
+  EXPECT_EQ(bins[118], 40);  // −15 to −10 mm
+  EXPECT_EQ(bins[121], 40);  // 0 to 5 mm
+  EXPECT_EQ(bins.front(), 20);
+}
+
+TEST_F(TrackScoreTest, SamplesTellLegSideAndTurn) {
+  flight_.add(Phase::align, 0, 0.6, 0.6, 0.0);
+  flight_.fly(
+      1, 0.1, [](double) { return -0.02; }, 0);
+  flight_.add(Phase::turn, 0, 4.2, 0.6, radians(45.0));
+  flight_.fly(2, 0.1, constant, 1);
+  flight_.add(Phase::hover, 1, 4.2, 7.4, kPi / 2);
+  const std::vector<TrackSample> samples = track_samples(flight_.record(), route_);
+  ASSERT_EQ(samples.size(), 21u);
+  EXPECT_NEAR(samples[0].signed_m, -0.02, 1e-12);
+  EXPECT_EQ(samples[0].t, 2 * kTruthPeriod);
+  EXPECT_TRUE(samples[10].turning);
+  EXPECT_EQ(samples[10].leg, 0u);
+  EXPECT_FALSE(samples[11].turning);
+  EXPECT_EQ(samples[11].leg, 1u);
+  EXPECT_EQ(samples[11].since_leg_began_s, 0.0);
+}
+
 TEST_F(TrackScoreTest, AnOffsetToTheRightHasANegativeMean) {
   flight_.fly(
       1, 2.0, [](double) { return -0.02; }, 0);

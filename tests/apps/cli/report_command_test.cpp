@@ -1,0 +1,67 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/report/report_page.h"
+#include "tests/apps/cli/program_test.h"
+
+namespace lineservo::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::read_text;
+
+class ReportCommandTest : public ProgramTest {
+ protected:
+  void SetUp() override { ASSERT_EQ(run(short_flight({"--out", path("flight")})).exit_code, 0); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path("flight") / name) << text;
+  }
+};
+
+/// The data of a report but for the names of the user's files and the timings.
+nlohmann::json data_of(const fs::path& report) {
+  const std::string html = read_text(report), tag = "type=\"application/json\">";
+  const std::size_t begin = html.find(tag) + tag.size();
+  auto data = nlohmann::json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+  for (const char* name : {"timing", "layout"}) data["summary"].erase(name);
+  return data;
+}
+
+TEST_F(ReportCommandTest, WritesTheReportOfTheFlightAgain) {
+  if (!find_report_page()) GTEST_SKIP() << "the page was not built: npm was not to be had";
+  const auto before = data_of(path("flight/report.html"));
+  fs::remove(path("flight/report.html"));
+  const Ran ran = run({"report", path("flight")});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("report.html"));
+  EXPECT_EQ(data_of(path("flight/report.html")), before);
+  EXPECT_TRUE(fs::exists(path("flight/summary.json")));
+}
+
+TEST_F(ReportCommandTest, AFlightThatIsNotThatOfTheFolderIsNoneOfIt) {
+  auto summary = nlohmann::json::parse(read_text(path("flight/summary.json")));
+  summary["trajectory_sha256"] = "0";
+  write("summary.json", summary.dump());
+  const std::string report =
+      fs::exists(path("flight/report.html")) ? read_text(path("flight/report.html")) : "";
+  const Ran ran = run({"report", path("flight")});
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_THAT(ran.err, HasSubstr("flies otherwise"));
+  EXPECT_EQ(fs::exists(path("flight/report.html")) ? read_text(path("flight/report.html")) : "", report);
+}
+
+TEST_F(ReportCommandTest, RefusesWhatIsNoFolderOfAFlight) {
+  EXPECT_THAT(refusal({"report"}), HasSubstr("DIR"));
+  EXPECT_THAT(refusal({"report", path("nowhere")}), HasSubstr("nowhere"));
+  for (const char* text : {"", "{", "[]", "{}", "{\"trajectory_sha256\": 1}"}) {
+    write("summary.json", text);
+    EXPECT_THAT(refusal({"report", path("flight")}), HasSubstr("summary.json")) << text;
+  }
+}
+
+}  // namespace
+}  // namespace lineservo::apps
