@@ -17,21 +17,9 @@ constexpr int kFewest = 10;                     // painted samples of an arm
 constexpr double kArm = 0.45;                   // share of an arm that is painted, at least
 constexpr double kFloor = 0.35;                 // and of the floor beside it, at most
 constexpr double kBalance = 0.4;                // of painted and bare samples in the search of the best place
-constexpr double kAround = 0.35;                // of an arm, where its slant is looked at
-constexpr double kSlant = 0.3;                  // of an arm from square, at most: its tangent
-constexpr int kFewestOfSlant = 8;               // painted samples near the stripe and away from it
-
-/// Painted samples and the sum of where they lie along the stripe.
-struct Moment {
-  int painted = 0;
-  double along = 0.0;
-
-  double mean() const { return along / painted; }
-};
 
 struct Count {
   int in_view = 0, painted = 0;
-  Moment near, far;  ///< of the two samples next to the stripe, of the two furthest from it
 
   double surplus() const { return painted - kBalance * in_view; }
   bool is_bare() const { return painted <= kFloor * in_view; }
@@ -52,10 +40,7 @@ class Profile {
         const Paint paint = mask.at(p_L);
         if (paint == Paint::out_of_view || (paint == Paint::painted && is_known(p_L))) continue;
         ++sum.in_view;
-        if (paint != Paint::painted) continue;
-        ++sum.painted;
-        if (k < 2) add(sum.near, along);
-        if (k >= kSamples - 2) add(sum.far, along);
+        sum.painted += int{paint == Paint::painted};
       }
       sums_.push_back(sum);
     }
@@ -63,20 +48,12 @@ class Profile {
 
   Count between(double from, double to) const {
     const Count &a = at(from), &b = at(to);
-    return {b.in_view - a.in_view, b.painted - a.painted, difference(b.near, a.near),
-            difference(b.far, a.far)};
+    return {b.in_view - a.in_view, b.painted - a.painted};
   }
   Count whole() const { return sums_.back(); }
   double step() const { return step_; }
 
  private:
-  static void add(Moment& moment, double along) {
-    ++moment.painted;
-    moment.along += along;
-  }
-  static Moment difference(const Moment& b, const Moment& a) {
-    return {b.painted - a.painted, b.along - a.along};
-  }
   const Count& at(double along) const {
     const long index = std::lround((along - begin_) / step_);
     return sums_[static_cast<std::size_t>(std::clamp<long>(index, 0, std::ssize(sums_) - 1))];
@@ -85,13 +62,6 @@ class Profile {
   double step_, begin_;
   std::vector<Count> sums_;
 };
-
-// What leaves the stripe at half a right angle is a bend or a fork: not for the area to tell.
-bool is_slanted(const Count& around) {
-  constexpr double kApart = (kSamples - 2) * kSpacing;
-  if (std::min(around.near.painted, around.far.painted) < kFewestOfSlant) return true;
-  return std::abs(around.far.mean() - around.near.mean()) > kSlant * kApart;
-}
 
 std::optional<double> arm_along(const Profile& profile, const Stripe& stripe) {
   if (profile.whole().painted < kFewest) return std::nullopt;
@@ -106,8 +76,6 @@ std::optional<double> arm_along(const Profile& profile, const Stripe& stripe) {
   const Count after = profile.between(best_along + half + profile.step(), best_along + half + kNearby);
   const bool is_arm = arm.painted >= kFewest && arm.painted >= kArm * arm.in_view;
   if (!is_arm || !before.is_bare() || !after.is_bare()) return std::nullopt;
-  if (is_slanted(profile.between(best_along - half - kAround, best_along + half + kAround)))
-    return std::nullopt;
   return best_along;
 }
 

@@ -20,15 +20,13 @@ constexpr double kOwn = 0.02;         // of a fitted border: its points
 constexpr double kBesideEnd = 0.05;   // the cap of a dead end lies so near to the end
 constexpr double kFacing = 0.966;     // of the angle that follows
 constexpr double kFacing_rad = radians(15.0);
-constexpr double kBeside = 0.015;                        // a stripe: what is still taken for its paint
-constexpr double kLeastArm = 0.1;                        // length of an arm, node included
-constexpr double kArmTurn_rad = radians(12.0);           // of an arm from square, as its borders may say
+constexpr double kBeside = 0.015;               // a stripe: what is still taken for its paint
+constexpr double kWhole = 0.95;                 // share of a stripe that is painted where no paint is worn
+constexpr double kLeastArm = 0.1;               // length of an arm, node included
+constexpr double kArmTurn_rad = radians(12.0);  // of an arm from square, as its borders may say
 constexpr double kArmSigma = 0.03, kArmSigma_rad = 0.1;  // of an arm whose borders say nothing
 constexpr double kUnhinted = 0.5;      // border length for a stripe whose width nobody knows
 constexpr double kGuessQuality = 0.3;  // factor when the width is a guess
-constexpr double kWornWidth = 0.7,
-                 kWholeWidth = 0.97;  // of the first stripe's, between which wear explains it
-constexpr double kRagged = 0.6;       // of the longer border, at most, for the other to be worn
 constexpr double kSameDirection_rad = radians(20.0);
 constexpr double kTried_rad = radians(5.0);
 constexpr double kOffsetWeight_rad = 0.1;  // one unit of offset counts as so much of direction
@@ -94,10 +92,13 @@ void StripeFinder::search_single_borders(const std::optional<StripePrior>& prior
   }
 }
 
-// Of the stripe with the most border, which is the surest.
+// Of the stripe with the most border, which is the surest. Paint that is whole has borders that tell its
+// arms.
 void StripeFinder::search_side_paint() {
   if (stripes_->empty() || !stripes_->front().both_borders) return;
   const Stripe stripe = stripes_->front();
+  const double half = 0.5 * stripe.course.width;  // at a bend a stripe is half bare where it ends
+  if (fill(stripe.course, {stripe.begin.along + half, stripe.end.along - half}) > kWhole) return;
   for (const SidePaint& paint :
        side_paint(*mask_, stripe, [this](const Eigen::Vector2d& p_L) { return is_on_stripe(p_L); }))
     if (std::ssize(*stripes_) < options_.max_stripes) take_arm(stripe, paint);
@@ -174,8 +175,6 @@ bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_bo
   if (!both_borders && std::min(fit->rising_length, fit->falling_length) > kPeakLength)
     if (const auto freed = fit_stripe(border_.near(fit->course.theta_rad), fit->course, WidthIs::free))
       fit = freed;
-  if (both_borders)
-    if (const auto whole = unworn(*fit)) fit = whole;
   const double length = fit->rising_length + fit->falling_length;
   const double per_width = both_borders ? options_.min_border_widths : 0.3;
   if (length < std::max(options_.min_border_length, per_width * fit->course.width)) return false;
@@ -206,21 +205,6 @@ bool StripeFinder::repeats(const Stripe& stripe) const {
     const double apart = std::abs(middle.dot(other.course.normal()) - other.course.rho);
     return apart < 0.5 * (stripe.course.width + other.course.width);
   });
-}
-
-// Wear can eat a whole border of a short arm: what is left of it is ragged and lies further in. The straight
-// border and the width of the stripe that the arm leaves tell better where it is.
-std::optional<StripeFit> StripeFinder::unworn(const StripeFit& fit) const {
-  if (stripes_->empty()) return std::nullopt;
-  const double width = stripes_->front().course.width, share = fit.course.width / width;
-  const double ragged = std::min(fit.rising_length, fit.falling_length);
-  const double straight = std::max(fit.rising_length, fit.falling_length);
-  if (share < kWornWidth || share > kWholeWidth || ragged > kRagged * straight) return std::nullopt;
-  const double side = fit.rising_length > fit.falling_length ? 1.0 : -1.0;
-  StripeCourse course = fit.course;
-  course.rho += side * 0.5 * (width - course.width);
-  course.width = width;
-  return fit_stripe(border_.near(course.theta_rad), course, WidthIs::known);
 }
 
 bool StripeFinder::has_border(const StripeCourse& course, const Support& range, double side) {

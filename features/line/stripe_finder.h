@@ -58,7 +58,6 @@ class StripeFinder {
   bool take_pair(double theta_rad);
   bool take_single_border(double theta_rad, double known_width);
   bool accept(const StripeCourse& start, WidthIs width, bool both_borders, double side);
-  std::optional<StripeFit> unworn(const StripeFit& fit) const;
   bool has_border(const StripeCourse& course, const Support& range, double side);
   bool is_on_stripe(const Eigen::Vector2d& p_L) const;
   bool is_acceptable(const Stripe& stripe) const;

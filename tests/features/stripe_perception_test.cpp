@@ -279,6 +279,19 @@ TEST_F(Perception, ALineIsSeenToLeaveADirtyDisc) {
   }
 }
 
+// The next edge of a bend of half a right angle lies beside the one that ends: whole paint is no square arm.
+TEST_F(Perception, ABendIsSeenWhereItIsOrNotAtAll) {
+  for (const double turn_rad : {0.5 * kLeft, 0.5 * kRight})
+    for (double ahead_m = 0.05; ahead_m <= 0.4; ahead_m += 0.005) {
+      const Pose pose{.x_m = -ahead_m, .y_m = -0.005};
+      const TestMask mask = draw(geometry_, pose, node_floor({kBehind, turn_rad}, kBroad_m));
+      const StripeFeatures& seen = see(mask, pose);
+      if (!seen.junction) continue;
+      const Eigen::Vector2d off = seen.junction->centre.vector() - pose.level({0.0, 0.0});
+      EXPECT_LT(off.norm(), 0.1) << turn_rad << ' ' << ahead_m;
+    }
+}
+
 // Worn by a quarter, in blotches of up to a sixth of the width, with little left of many a border: the arms
 // are told by their area, and nothing ends where it goes on.
 TEST_F(Perception, WornBroadNodesKeepTheirArms) {

@@ -53,29 +53,19 @@ TEST_F(SidePaintTest, AnArmIsFoundOnItsSideAndInItsPlace) {
   }
 }
 
-// But for the few whose wear makes them look slanted.
 TEST_F(SidePaintTest, WornPaintIsAreaEnough) {
   TestRandom random(3);
-  std::size_t found = 0;
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < 40; ++k) {
     TestMask mask = mask_of({kAhead, kBehind, kLeft, kRight}, random.uniform(-0.2, 0.2));
     blot(mask, random, 0.25, 12.0, false);
-    found += see(mask).size();
+    EXPECT_EQ(see(mask).size(), 2u) << k;
   }
-  EXPECT_GE(found, 195u);  // of 200
 }
 
 TEST_F(SidePaintTest, BareFloorAndWhatIsKnownAreNoArm) {
   EXPECT_TRUE(see(mask_of({kAhead, kBehind}, 0.0)).empty());
   is_known_ = [](const Eigen::Vector2d&) { return true; };
   EXPECT_TRUE(see(mask_of({kAhead, kBehind, kLeft}, 0.0)).empty());
-}
-
-// A bend or a fork of half a right angle leaves the stripe slanted: its borders tell it.
-TEST_F(SidePaintTest, WhatLeavesAtASlantIsNoArm) {
-  for (const double turn_rad : {kLeft, kRight})
-    for (double ahead_m = -0.3; ahead_m <= 0.3; ahead_m += 0.02)
-      EXPECT_TRUE(see(mask_of({kBehind, 0.5 * turn_rad}, -ahead_m)).empty()) << turn_rad << ' ' << ahead_m;
 }
 
 // All floor beside the stripe is painted: that is no arm of the stripe's width.
