@@ -183,6 +183,16 @@ TEST_P(ZoneMission, ArrivesOnTheNode) {
 }
 INSTANTIATE_TEST_SUITE_P(Zones, ZoneMission, ::testing::Values("b02", "b03", "c01", "c05", "d00"));
 
+// The next edge, beside the one that ends, was once taken for an arm, and the turn begun elsewhere.
+TEST(Flight, TurnsABendWhereItIs) {
+  FlightRequest request = request_for("c06", "paper", 7101);
+  request.layout = layout_of_zone("c06");
+  const Flown flown = fly(request);
+  ASSERT_EQ(flown.summary.outcome, "arrived") << story(flown);
+  for (const LegScore& leg : flown.summary.track.legs)
+    EXPECT_LT(leg.whole.max_m, 0.04) << leg.from << leg.to;
+}
+
 FlightRequest request_for_the_red_track() {
   FlightRequest request = request_for("node:end", "minidrone");
   request.layout = "minidrone";
