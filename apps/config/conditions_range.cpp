@@ -16,6 +16,11 @@ std::string group_of(const std::string& key) {
   return key.substr(0, key.find('.'));
 }
 
+/// What the vehicle does about its conditions: made for the harder ones, it does for the easier ones.
+bool is_the_vehicles_answer(const std::string& group) {
+  return group == "features" || group == "servo" || group == "executive";
+}
+
 std::string between(const Setting& from, const Setting& to, double share) {
   if (!from.range || !to.range) return share < 0.5 ? from.get() : to.get();
   const double a = std::stod(from.get()), b = std::stod(to.get());
@@ -46,6 +51,10 @@ void draw_conditions(FlightRequest& request, const ConditionsRange& range) {
     const Setting &a = low.all()[k], &b = high.all()[k];
     if (a.get() == b.get()) {
       table.all()[k].set(a.get());
+      continue;
+    }
+    if (is_the_vehicles_answer(group_of(a.key))) {
+      table.all()[k].set(b.get());
       continue;
     }
     const auto [group, is_new] = is_on.try_emplace(group_of(a.key), false);

@@ -50,6 +50,16 @@ TEST(ConditionsRange, EveryNumberLiesBetweenAndEveryGroupIsOnNowAndThen) {
   EXPECT_GT(still, 3);
 }
 
+TEST(ConditionsRange, WhatTheVehicleDoesAboutThemIsThatOfTheSecond) {
+  FlightRequest harsh;
+  apply_conditions(harsh, "harsh");
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Settings s = drawn(seed).settings;
+    EXPECT_EQ(s.features.segmenter, "any-light");
+    EXPECT_EQ(s.executive.phases.hover_s, harsh.settings.executive.phases.hover_s);
+  }
+}
+
 TEST(ConditionsRange, AnUnknownEndIsAnError) {
   FlightRequest request;
   EXPECT_THROW(apply_conditions(request, "paper..nowhere"), InputError);
