@@ -82,11 +82,14 @@ int fly(const FlyArguments& arguments) {
     print_plan(mission.plan);
     return kDone;
   }
+  const OwnFiles own = own_files(request);
   std::optional<ResultFolder> folder;
-  if (arguments.out) folder.emplace(*arguments.out, flight_files());
+  if (arguments.out) {
+    keep_what_is_no_flights(*arguments.out, own);
+    folder.emplace(*arguments.out, flight_files());
+  }
   std::optional<Recorder> recorder;
   if (arguments.record) recorder.emplace(*folder, recording_of(request));
-  const OwnFiles own = own_files(request);
 
   watch_for_interrupt();
   ProgressLine line(request.instruction);
@@ -142,10 +145,10 @@ void add_fly_command(CLI::App& app, int& exit_code) {
       "every setting: not together with --conditions");
   command->add_flag("--land", a.land, "land on the target instead of hovering");
   CLI::Option* explain = command->add_flag("--explain", a.explain, "print the plan and do not fly");
-  CLI::Option* out = command->add_option(
-      "--out", a.out,
-      "folder for summary.json, flight.csv, events.csv, config.yaml, report.html, and mission.yaml, layout.yaml and "
-      "conditions.yaml when they are your own");
+  CLI::Option* out = command->add_option("--out", a.out,
+                                         "folder for summary.json, flight.csv, events.csv, config.yaml, "
+                                         "report.html, and mission.yaml, layout.yaml and "
+                                         "conditions.yaml when they are your own");
   command
       ->add_flag("--record", a.record,
                  "keep the frames, estimates and commands in the folder of --out, each with its hash, for "

@@ -1,6 +1,7 @@
 #include "apps/cli/import_track_command.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -56,11 +57,50 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// A folder of its own, with the layout and its bitmap as they are to be; gone with the object.
+class Rehearsal {
+ public:
+  Rehearsal(const Arguments& a, const std::string& layout)
+      : folder_(fs::temp_directory_path() / fmt::format("lineservo-import-{}", ::getpid())),
+        file_(folder_ / fs::path(a.out).filename()) {
+    fs::create_directories(folder_);
+    std::ofstream(file_, std::ios::binary) << layout;
+    if (a.as_floor) fs::create_symlink(fs::absolute(a.image), folder_ / a.options.bitmap);
+  }
+  ~Rehearsal() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Rehearsal(const Rehearsal&) = delete;
+  Rehearsal& operator=(const Rehearsal&) = delete;
+
+  const fs::path& file() const { return file_; }
+
+ private:
+  fs::path folder_, file_;
+};
+
+/// The layout as it will be read; throws InputError when it would be refused, before anything is written.
+vehicle::Layout rehearsed(const Arguments& a, const std::string& text) {
+  const Rehearsal rehearsal(a, text);
+  try {
+    return read_layout(rehearsal.file());
+  } catch (const InputError& refusal) {
+    throw InputError(fmt::format("{}: gives no layout that can be flown: {}", a.image, refusal.what()));
+  }
+}
+
+void keep_other_image(const Arguments& a, const fs::path& there) {
+  if (fs::exists(there) && bytes_of(there) != bytes_of(a.image))
+    throw InputError(fmt::format("--bitmap: {}: another image of this name is there", there.string()));
+}
+
 /// The layout, and beside it the image where it is the floor and not there already.
 void write(const Arguments& a, const fs::path& where, const std::string& layout) {
   const std::string file = fs::path(a.out).filename();
   std::error_code not_there;
   const bool copies = a.as_floor && !fs::equivalent(a.image, where / a.options.bitmap, not_there);
+  if (copies) keep_other_image(a, where / a.options.bitmap);
   ResultFolder folder(where, copies ? std::vector{a.options.bitmap, file} : std::vector{file});
   if (copies) folder.write(a.options.bitmap, bytes_of(a.image));
   folder.write(file, layout);
@@ -74,8 +114,8 @@ void import_track(Arguments a) {
   a.options.name = out.stem().string();
   if (a.as_floor) a.options.bitmap = fs::path(a.image).filename();
   const std::string text = layout_of_track(image, a.options, a.image);
+  const vehicle::Layout layout = rehearsed(a, text);
   write(a, folder_of(out), text);
-  const vehicle::Layout layout = read_layout(out);
   fmt::print("{}: {} nodes, {} lines; fly it with: lineservo fly node:NAME --layout {}{}\n", a.out,
              layout.nodes.size(), layout.edges.size(), a.out,
              is_yellow(image.line_bgr) ? "" : " --set features.segmenter=auto");

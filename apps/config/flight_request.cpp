@@ -118,7 +118,9 @@ class NestedWriter {
 std::string layout_of_zone(const std::string& instruction) {
   if (is_mission_file(instruction)) {
     const MissionFile mission = read_mission(find_data(DataKind::mission, instruction));
-    return mission.layout ? *mission.layout : layout_of_zone(mission.targets.front().target);
+    const std::string& first = mission.targets.front().target;
+    if (mission.layout) return *mission.layout;
+    return layout_of_zone(is_mission_file(first) ? std::string() : first);  // which is refused later
   }
   switch (instruction.empty() ? '\0' : instruction.front()) {
     case 'b':

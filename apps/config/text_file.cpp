@@ -60,6 +60,7 @@ std::string read_text_file(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     throw InputError(file.string() + ": is a folder, not a file");
+  if (std::filesystem::is_fifo(file, ignored)) throw InputError(file.string() + ": is a pipe, not a file");
   std::ifstream stream(file, std::ios::binary);
   std::string text(kLongest_bytes + 1, '\0');
   if (!stream) throw InputError(file.string() + ": cannot be read");

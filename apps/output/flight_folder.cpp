@@ -17,6 +17,9 @@
 #include "apps/report/flight_data.h"
 
 namespace lineservo::apps {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 std::optional<std::string> own_text(DataKind kind, const std::string& name_or_path) {
@@ -65,6 +68,21 @@ bool write_flight_report(ResultFolder& folder, const Mission& mission, const Fli
   const FlightRequest& request = mission.request;
   return write_report(folder, fmt::format("{} · {} · lineservo", request.instruction, request.controller),
                       [&] { return flight_data(mission, record, summary); });
+}
+
+void keep_what_is_no_flights(const fs::path& folder, const OwnFiles& own) {
+  if (fs::exists(folder / "config.yaml")) return;  // of an earlier flight, so are the others
+  const auto keep_other = [&folder](const std::string& name, const std::optional<std::string>& text) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(folder / name, ignored) || (text && read_bytes(folder / name) == *text)) return;
+    throw InputError(
+        fmt::format("--out {}: holds a {} that is of no earlier flight, which this one would replace",
+                    folder.string(), name));
+  };
+  keep_other("mission.yaml", own.mission);
+  keep_other("layout.yaml", own.layout);
+  keep_other("conditions.yaml", own.conditions);
+  if (own.bitmap) keep_other(own.bitmap->name, own.bitmap->bytes);
 }
 
 void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,

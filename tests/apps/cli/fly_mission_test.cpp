@@ -90,5 +90,22 @@ TEST_F(FlyMissionTest, TheMissionThatShipsIsCompiled) {
   EXPECT_THAT(run({"missions"}).out, HasSubstr("stock-take.yaml"));
 }
 
+TEST_F(FlyMissionTest, AMissionThatNamesItselfFirstIsRefused) {
+  const std::string tour = temp_.write("m.yaml", "name: m\ntargets: [m.yaml]\n").string();
+  const Ran ran = run({"fly", tour, "--explain"});
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_THAT(ran.err, HasSubstr("'m.yaml' is not an instruction"));
+}
+
+TEST_F(FlyMissionTest, AFileOfTheUsersOwnInTheFolderIsNotReplaced) {
+  fs::create_directories(path("own"));
+  const std::string text = "name: my floor, unfinished\n";
+  temp_.write("own/layout.yaml", text);
+  const Ran ran = run({"fly", "a13", "--out", path("own")});
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_THAT(ran.err, HasSubstr("holds a layout.yaml that is of no earlier flight"));
+  EXPECT_EQ(read_text(path("own/layout.yaml")), text);
+}
+
 }  // namespace
 }  // namespace lineservo::apps

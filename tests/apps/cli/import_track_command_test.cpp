@@ -94,5 +94,24 @@ TEST_F(ImportTrackCommandTest, RefusesInOneLineAndLeavesNothing) {
   EXPECT_FALSE(fs::exists(path("floor")));
 }
 
+TEST_F(ImportTrackCommandTest, WhatGivesNoLayoutLeavesTheOldOneThere) {
+  fs::create_directories(path("floor"));
+  temp_.write("floor/mine: b#c.yaml", "old");
+  const Ran named = run(import({"--out", path("floor/mine: b#c.yaml")}));
+  EXPECT_EQ(named.exit_code, 2);
+  EXPECT_THAT(named.err, HasSubstr("gives no layout that can be flown"));
+  EXPECT_EQ(read_text(path("floor/mine: b#c.yaml")), "old");
+}
+
+TEST_F(ImportTrackCommandTest, AnotherImageOfTheSameNameStays) {
+  fs::create_directories(path("floor"));
+  temp_.write("floor/tee.ppm", "another");
+  const Ran ran = run(import({"--out", path("floor/mine.yaml"), "--bitmap"}));
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_THAT(ran.err, HasSubstr("another image of this name is there"));
+  EXPECT_EQ(read_text(path("floor/tee.ppm")), "another");
+  EXPECT_FALSE(fs::exists(path("floor/mine.yaml")));
+}
+
 }  // namespace
 }  // namespace lineservo::apps
