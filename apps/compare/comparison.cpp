@@ -180,6 +180,7 @@ void Comparison::add_flights(Contestant& contestant, const std::string& instruct
 // The mission before with conditions of its own.
 void Comparison::draw_mission(const Entry& common, std::uint64_t seed, const ComparisonOptions& options) {
   Entry entry = common;
+  entry.request = FlightRequest{};  // the entry's own was drawn already, for another seed
   entry.request.seed = seed;
   complete(entry, options);
   Mission mission = missions_.back();

@@ -79,6 +79,24 @@ TEST(Comparison, AFlightIsThatOfItsOwnCommand) {
   EXPECT_THAT(pid.flights[1].command, HasSubstr("--seed 2 --set wind.mean_m_s=0.2"));
 }
 
+// As its command draws them, not on top of those that were drawn for the first seed.
+TEST(Comparison, AFlightInDrawnConditionsIsThatOfItsOwnCommand) {
+  ShortStudy study;
+  study.options.conditions = "paper..harsh";
+  study.options.seed = 5;
+  const ComparisonResult result = study.fly(1);
+  for (const auto& flight : result.contestants[0].flights) {
+    FlightRequest request;
+    request.seed = flight.seed;
+    apply_conditions(request, "paper..harsh");
+    request.controller = result.contestants[0].entry.controller;
+    request.layout = result.contestants[0].entry.layout;
+    request.instruction = "node:q";
+    EXPECT_EQ(flight.summary.trajectory_sha256, fly_mission(prepare(request)).summary.trajectory_sha256)
+        << flight.seed;
+  }
+}
+
 TEST(Comparison, FailuresAreCountedAndNotDropped) {
   ShortStudy study;
   study.options.overrides = {"time_limit_s=5"};
