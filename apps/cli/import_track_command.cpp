@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "apps/config/input_error.h"
 #include "apps/config/layout_bitmap.h"
 #include "apps/config/layout_file.h"
+#include "apps/config/text_file.h"
 #include "apps/image/image_file.h"
 #include "apps/output/result_folder.h"
 #include "apps/track/track_import.h"
@@ -52,11 +52,6 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// A folder of its own, with the layout and its bitmap as they are to be; gone with the object.
 class Rehearsal {
  public:
@@ -86,12 +81,15 @@ vehicle::Layout rehearsed(const Arguments& a, const std::string& text) {
   try {
     return read_layout(rehearsal.file());
   } catch (const InputError& refusal) {
-    throw InputError(fmt::format("{}: gives no layout that can be flown: {}", a.image, refusal.what()));
+    std::string why = refusal.what();
+    const std::string rehearsed_file = rehearsal.file().string();
+    if (why.starts_with(rehearsed_file)) why.replace(0, rehearsed_file.size(), a.out);
+    throw InputError(fmt::format("{}: gives no layout that can be flown: {}", a.image, why));
   }
 }
 
 void keep_other_image(const Arguments& a, const fs::path& there) {
-  if (fs::exists(there) && bytes_of(there) != bytes_of(a.image))
+  if (fs::exists(there) && read_bytes(there) != read_bytes(a.image))
     throw InputError(fmt::format("--bitmap: {}: another image of this name is there", there.string()));
 }
 
@@ -102,7 +100,7 @@ void write(const Arguments& a, const fs::path& where, const std::string& layout)
   const bool copies = a.as_floor && !fs::equivalent(a.image, where / a.options.bitmap, not_there);
   if (copies) keep_other_image(a, where / a.options.bitmap);
   ResultFolder folder(where, copies ? std::vector{a.options.bitmap, file} : std::vector{file});
-  if (copies) folder.write(a.options.bitmap, bytes_of(a.image));
+  if (copies) folder.write(a.options.bitmap, read_bytes(a.image));
   folder.write(file, layout);
   folder.publish();
 }

@@ -16,7 +16,8 @@ std::string group_of(const std::string& key) {
   return key.substr(0, key.find('.'));
 }
 
-/// What the vehicle does about its conditions: made for the harder ones, it does for the easier ones.
+/// Settings of what the vehicle does about its conditions, which are not conditions themselves: those made
+/// for the harder ones are taken throughout.
 bool is_the_vehicles_answer(const std::string& group) {
   return group == "features" || group == "servo" || group == "executive";
 }
@@ -49,11 +50,7 @@ void draw_conditions(FlightRequest& request, const ConditionsRange& range) {
   std::map<std::string, bool> is_on;
   for (std::size_t k = 0; k < table.all().size(); ++k) {
     const Setting &a = low.all()[k], &b = high.all()[k];
-    if (a.get() == b.get()) {
-      table.all()[k].set(a.get());
-      continue;
-    }
-    if (is_the_vehicles_answer(group_of(a.key))) {
+    if (a.get() == b.get() || is_the_vehicles_answer(group_of(a.key))) {
       table.all()[k].set(b.get());
       continue;
     }

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
@@ -42,9 +39,7 @@ std::optional<OwnFiles::Image> own_bitmap(const std::string& layout) {
   if (is_shipped(DataKind::layout, layout)) return std::nullopt;
   const auto file = bitmap_file(find_data(DataKind::layout, layout));
   if (!file) return std::nullopt;
-  std::ifstream stream(*file, std::ios::binary);
-  if (!stream) throw InputError(file->string() + ": cannot be read");
-  return OwnFiles::Image{file->filename(), {std::istreambuf_iterator<char>(stream), {}}};
+  return OwnFiles::Image{file->filename(), read_bytes(*file)};
 }
 
 }  // namespace
