@@ -22,7 +22,7 @@ struct StripePerceptionOptions {
   double certain_end = 0.45;   ///< bare floor past the end of a stripe that shows, by itself, that it stops
   double junction_end = 0.12;  ///< bare floor beyond a node that shows that the line stops there, at least
   double clear_end = 0.5;      ///< from the node's centre: up to here it is looked for where there is room
-  double possible_end = 0.04;  ///< the same where it may be worn paint
+  double possible_end = 0.04;  ///< bare floor past a stripe that may be its end, or worn paint
 };
 
 /// What the stripes of one frame say.

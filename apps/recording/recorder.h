@@ -4,19 +4,12 @@
 #include <span>
 #include <string>
 
+#include "apps/onboard/chain_output.h"
 #include "apps/output/result_folder.h"
 #include "apps/recording/recording_info.h"
 #include "apps/recording/recording_table.h"
-#include "features/frame_features.h"
-#include "servo/task/command.h"
 
 namespace lineservo::apps {
-
-/// What a controller's chain made of a tick.
-struct ChainOutput {
-  features::FrameFeatures features;
-  servo::Command command;
-};
 
 /// Keeps frames, estimates and commands, each with its hash, so that replay() can check them.
 class Recorder {

@@ -8,7 +8,7 @@
 
 #include "apps/config/settings.h"
 #include "apps/onboard/chain.h"
-#include "apps/recording/recorder.h"
+#include "apps/onboard/chain_output.h"
 #include "apps/watch/watch_feed.h"
 
 namespace lineservo::apps {

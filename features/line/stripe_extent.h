@@ -14,8 +14,8 @@ struct CrossSection {
   bool is_painted() const { return 2 * painted > in_view; }
 };
 
-/// Samples across the stripe, those near its borders only where the middle is out of view, at `along` of
-/// StripeAxes.
+/// Samples across the stripe at `along` of StripeAxes, more of them on a broad one; those near its borders only
+/// where others are out of view.
 CrossSection cross_section(const LevelMask& mask, const StripeAxes& axes, double along);
 
 /// Follows the paint from `along` one way (+1 forward, −1 back) to where it stops or leaves the view. Bare
