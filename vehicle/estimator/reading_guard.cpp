@@ -10,8 +10,8 @@ namespace {
 // Full scale of such sensors, and the most that a body rate changes within an inertial period.
 constexpr double kMostRate_rad_s = 35.0, kMostForce_m_s2 = 160.0, kMostSpeed_m_s = 20.0, kMostRange_m = 40.0;
 constexpr double kMostRateStep_rad_s = 2.0;
-/// So many in a row are no outliers any more: the body itself does that.
-constexpr int kOutliers = 4;
+/// So many in a row that go on from each other are no outliers any more: the body itself does that.
+constexpr int kGoingOn = 4;
 /// At 50 Hz: 0.2 s.
 constexpr int kFrozenAfter = 10;
 
@@ -21,7 +21,7 @@ bool is_possible(const Eigen::Vector3d& v, double most) {
 
 }  // namespace
 
-ReadingGuard::ReadingGuard(const SensorReadings& first) : last_(first) {
+ReadingGuard::ReadingGuard(const SensorReadings& first) : last_(first), gyro_heard_(first.gyro_B_rad_s) {
   if (!is_possible(first.gyro_B_rad_s, kMostRate_rad_s)) last_.gyro_B_rad_s.setZero();
   if (!is_possible(first.specific_force_B_m_s2, kMostForce_m_s2))
     last_.specific_force_B_m_s2 = kGravity_m_s2 * Eigen::Vector3d::UnitZ();
@@ -40,17 +40,19 @@ SensorReadings ReadingGuard::checked(SensorReadings readings, double roll_rad, d
   return readings;
 }
 
+// Outliers that come in a row are no motion either: they do not go on from each other, and the last of them
+// would stand for the body's rate until the next good ones were believed.
 void ReadingGuard::check_gyro(SensorReadings& readings) {
   Eigen::Vector3d& gyro = readings.gyro_B_rad_s;
-  const bool possible = is_possible(gyro, kMostRate_rad_s);
+  const bool goes_on = is_possible(gyro - gyro_heard_, kMostRateStep_rad_s);
+  gyro_heard_ = gyro;
+  gyro_going_on_ = goes_on ? gyro_going_on_ + 1 : 0;
   const bool jumps = !is_possible(gyro - last_.gyro_B_rad_s, kMostRateStep_rad_s);
-  if (!possible || (jumps && gyro_refused_ < kOutliers)) {
-    ++gyro_refused_;
+  if (is_possible(gyro, kMostRate_rad_s) && (!jumps || gyro_going_on_ >= kGoingOn)) {
+    last_.gyro_B_rad_s = gyro;
+  } else {
     gyro = last_.gyro_B_rad_s;
-    return;
   }
-  gyro_refused_ = 0;
-  last_.gyro_B_rad_s = gyro;
 }
 
 void ReadingGuard::check_force(SensorReadings& readings) {

@@ -21,7 +21,8 @@ class ReadingGuard {
   void check_range(SensorReadings& readings);
 
   SensorReadings last_;  ///< what was good, of each sensor
-  int gyro_refused_ = 0;
+  Eigen::Vector3d gyro_heard_;  ///< the last one, good or not
+  int gyro_going_on_ = 0;       ///< in a row, each near the one before
   int range_repeated_ = 0;
 };
 

@@ -96,6 +96,18 @@ TEST(ReadingGuard, AJumpThatStaysIsBelieved) {
   EXPECT_EQ(refused, 4);
 }
 
+// One in ten of the readings wild: five in a row come within minutes.
+TEST(ReadingGuard, ManyWildReadingsInARowAreNotBelieved) {
+  ReadingGuard guard(reading(0));
+  int k = 1;
+  for (; k < 20; ++k) {
+    SensorReadings wild = reading(k);
+    wild.gyro_B_rad_s.x() += k % 2 == 0 ? 15.0 : -15.0;
+    ASSERT_EQ(passed(guard, wild).gyro_B_rad_s, reading(0).gyro_B_rad_s) << k;
+  }
+  for (; k < 30; ++k) ASSERT_EQ(passed(guard, reading(k)).gyro_B_rad_s, reading(k).gyro_B_rad_s) << k;
+}
+
 TEST(ReadingGuard, ARangeThatRepeatsWhileTheBodyMovesIsFrozen) {
   ReadingGuard guard(reading(0));
   int passed_on = 0;
