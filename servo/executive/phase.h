@@ -61,8 +61,8 @@ struct PhaseOptions {
   double line_memory_s = 1.0;     ///< without a line before it counts as lost
   double length_tolerance = 0.2;  ///< of an edge's length, data/README.md
   double length_slack_m = 0.6;    ///< on top: half the view, where a node is told before it is reached
-  double odometry_drift_m_s =
-      0.03;  ///< by which the dead reckoning may be off: three times the velocity bias
+  /// By which the dead reckoning may be off: three times the velocity bias.
+  double odometry_drift_m_s = 0.03;
   double dock_distance_m = 0.015;
   double dock_speed_m_s = 0.03;
   double dock_limit_s = 20.0;

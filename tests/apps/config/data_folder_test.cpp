@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "apps/config/flight_request.h"
 #include "tests/apps/test_files.h"
 
 namespace lineservo::apps {
@@ -33,6 +34,17 @@ TEST(FindData, FindsWhatShipsByItsName) {
             std::filesystem::path(LINESERVO_TEST_DATA) / "layouts/warehouse.yaml");
   EXPECT_EQ(find_data(DataKind::conditions, "paper"),
             std::filesystem::path(LINESERVO_TEST_DATA) / "conditions/paper.yaml");
+}
+
+// Else a slow flight under a biased velocity takes the next node for the one after it.
+TEST(ShippedConditions, TheDeadReckoningIsTrustedToThreeTimesTheVelocityBias) {
+  for (const std::string& name : names(DataKind::conditions)) {
+    FlightRequest request;
+    apply_conditions(request, name);
+    EXPECT_GE(request.settings.executive.phases.odometry_drift_m_s + 1e-12,
+              3.0 * request.settings.sensors.velocity_bias_m_s)
+        << name;
+  }
 }
 
 TEST(FindData, TakesAFileOfOnesOwnByItsPath) {
