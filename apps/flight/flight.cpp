@@ -243,14 +243,14 @@ TickInput Flight::observe(const vehicle::Frame* frame) const {
   const vehicle::Estimate at_capture = quadrotor_.estimate_at(input.captured);
   input.roll_rad = at_capture.roll_rad;
   input.pitch_rad = at_capture.pitch_rad;
-  input.capture_height_m = std::max(kLowestHeight_m, at_capture.height_m);
-  const vehicle::Estimate& estimate = quadrotor_.estimate();
-  input.height_m = std::max(kLowestHeight_m, estimate.height_m);
-  input.v_H_m_s = estimate.v_H_m_s;
-  input.odometry_now = odometry_.at(input.now);
-  input.odometry_at_capture = odometry_.at(input.captured);
-  input.height_age_s = vehicle::seconds(input.now - estimate.range_heard);
-  input.velocity_age_s = vehicle::seconds(input.now - estimate.flow_heard);
+  const vehicle::Estimate& now = quadrotor_.estimate();
+  input.estimate = {.odometry_now = odometry_.at(input.now),
+                    .odometry_at_capture = odometry_.at(input.captured),
+                    .height_m = std::max(kLowestHeight_m, now.height_m),
+                    .capture_height_m = std::max(kLowestHeight_m, at_capture.height_m),
+                    .v_H_m_s = now.v_H_m_s,
+                    .height_age_s = vehicle::seconds(input.now - now.range_heard),
+                    .velocity_age_s = vehicle::seconds(input.now - now.flow_heard)};
   input.on_ground = !vehicle::motors_run(quadrotor_.mode());
   return input;
 }
@@ -275,8 +275,8 @@ void Flight::log(const TickInput& input, const servo::Command& command) {
     tick.line_theta_rad = line->theta_rad;
   }
   if (observation.features.junction) tick.junction = observation.features.junction->centre;
-  tick.height_m = observation.height_m;
-  tick.v_H_m_s = observation.v_H_m_s;
+  tick.height_m = observation.estimate.height_m;
+  tick.v_H_m_s = observation.estimate.v_H_m_s;
   tick.command = command;
   record_.ticks.push_back(tick);
   for (servo::ExecutiveEvent& event : chain_.take_events()) {

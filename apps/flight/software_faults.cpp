@@ -42,9 +42,9 @@ void spoil(features::FrameFeatures& f, const SoftwareFaultOptions& options, vehi
 
 void spoil(servo::Observation& o, const SoftwareFaultOptions& options, vehicle::Time t) {
   if (!options.estimate_nan.holds(t)) return;
-  o.v_H_m_s.setConstant(kNaN);
-  o.height_m = o.capture_height_m = kNaN;
-  o.odometry_now.translation_m.setConstant(kNaN);
+  o.estimate.v_H_m_s.setConstant(kNaN);
+  o.estimate.height_m = o.estimate.capture_height_m = kNaN;
+  o.estimate.odometry_now.translation_m.setConstant(kNaN);
 }
 
 std::unique_ptr<servo::FollowLaw> spoilt(std::unique_ptr<servo::FollowLaw> law,

@@ -12,14 +12,8 @@ servo::Observation observation_of(const TickInput& input, features::FrameFeature
   o.now = input.now;
   o.captured = input.captured;
   o.features = std::move(features);
-  o.odometry_now = input.odometry_now;
-  o.odometry_at_capture = input.odometry_at_capture;
-  o.height_m = input.height_m;
-  o.capture_height_m = input.capture_height_m;
-  o.v_H_m_s = input.v_H_m_s;
   o.has_frame = input.has_frame;
-  o.height_age_s = input.height_age_s;
-  o.velocity_age_s = input.velocity_age_s;
+  o.estimate = input.estimate;
   return o;
 }
 
@@ -34,7 +28,7 @@ Chain::Chain(const features::CameraParameters& camera, const Settings& settings,
 features::FrameFeatures Chain::see(const TickInput& input, const cv::Mat& bgr) {
   features::FrameContext context;
   if (corrects_tilt_) context.view = features::LevelView(input.roll_rad, input.pitch_rad);
-  context.height_m = input.capture_height_m;
+  context.height_m = input.estimate.capture_height_m;
   context.since_last_s = ticks_ == 0 ? 0.0 : servo::seconds(input.exposed - last_exposed_);
   context.on_the_way = on_the_way();
   last_exposed_ = input.exposed;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "servo/law/observation.h"
 
 namespace lineservo::apps {
@@ -14,11 +12,7 @@ struct TickInput {
   bool has_frame = true;                   ///< otherwise none came in time
   servo::Time exposed{0};                  ///< the frame's own stamp
   double roll_rad = 0.0, pitch_rad = 0.0;  ///< at `captured`
-  double capture_height_m = 0.5;
-  double height_m = 0.5;  ///< now
-  Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
-  servo::Motion odometry_now, odometry_at_capture;
-  double height_age_s = 0.0, velocity_age_s = 0.0;
+  servo::StateEstimate estimate;
   bool on_ground = false;  ///< the motors stand still
 };
 

@@ -14,19 +14,21 @@ void for_each_field(Input& i, Visit visit) {
   visit("exposed_ns", i.exposed);
   visit("roll_rad", i.roll_rad);
   visit("pitch_rad", i.pitch_rad);
-  visit("capture_height_m", i.capture_height_m);
-  visit("height_m", i.height_m);
-  visit("forward_m_s", i.v_H_m_s.x());
-  visit("left_m_s", i.v_H_m_s.y());
-  visit("up_m_s", i.v_H_m_s.z());
-  visit("odometry_x_m", i.odometry_now.translation_m.x());
-  visit("odometry_y_m", i.odometry_now.translation_m.y());
-  visit("odometry_yaw_rad", i.odometry_now.yaw_rad);
-  visit("capture_odometry_x_m", i.odometry_at_capture.translation_m.x());
-  visit("capture_odometry_y_m", i.odometry_at_capture.translation_m.y());
-  visit("capture_odometry_yaw_rad", i.odometry_at_capture.yaw_rad);
-  visit("height_age_s", i.height_age_s);
-  visit("velocity_age_s", i.velocity_age_s);
+  auto& [odometry_now, odometry_at_capture, height_m, capture_height_m, v_H_m_s, height_age_s,
+         velocity_age_s] = i.estimate;
+  visit("capture_height_m", capture_height_m);
+  visit("height_m", height_m);
+  visit("forward_m_s", v_H_m_s.x());
+  visit("left_m_s", v_H_m_s.y());
+  visit("up_m_s", v_H_m_s.z());
+  visit("odometry_x_m", odometry_now.translation_m.x());
+  visit("odometry_y_m", odometry_now.translation_m.y());
+  visit("odometry_yaw_rad", odometry_now.yaw_rad);
+  visit("capture_odometry_x_m", odometry_at_capture.translation_m.x());
+  visit("capture_odometry_y_m", odometry_at_capture.translation_m.y());
+  visit("capture_odometry_yaw_rad", odometry_at_capture.yaw_rad);
+  visit("height_age_s", height_age_s);
+  visit("velocity_age_s", velocity_age_s);
   visit("on_ground", i.on_ground);
 }
 

@@ -26,11 +26,13 @@ std::optional<WatchTick> GrabberFeed::next() {
   const EstimateAt then = estimates_.at(input.captured), now = is_live() ? estimates_.at(input.now) : then;
   input.roll_rad = then.roll_rad;
   input.pitch_rad = then.pitch_rad;
-  input.capture_height_m = then.height_m;
-  input.odometry_at_capture = then.odometry;
-  input.height_m = now.height_m;
-  input.v_H_m_s = now.v_H_m_s;
-  input.odometry_now = now.odometry;
+  input.estimate = {.odometry_now = now.odometry,
+                    .odometry_at_capture = then.odometry,
+                    .height_m = now.height_m,
+                    .capture_height_m = then.height_m,
+                    .v_H_m_s = now.v_H_m_s,
+                    .height_age_s = 0.0,
+                    .velocity_age_s = 0.0};
   return tick;
 }
 

@@ -34,7 +34,7 @@ std::string watch_row(const Watched& watched) {
   const WatchTick& tick = watched.tick;
   const std::string frame = tick.bgr.empty() ? "" : fmt::format("{}", tick.frame);
   std::string row = fmt::format("{:.4f},{},{},{:.6f},{:.4f},{:.3f}", servo::seconds(tick.input.now), frame,
-                                feature_cells(watched.outputs.front().features), tick.input.height_m,
+                                feature_cells(watched.outputs.front().features), tick.input.estimate.height_m,
                                 watched.perception_ms, watched.delay_ms.value_or(kNaN));
   for (const ChainOutput& output : watched.outputs) row += command_cells(row_of(output.command));
   return row + "\n";

@@ -75,8 +75,8 @@ void Executive::observe(const Observation& observation) {
   const bool sees_line = pilot_.see_line(observation);
   if (sees_line || (pursues() && observation.features.law.target)) line_seen_ = observation.now;
   if (last_odometry_)
-    travelled_m_ += along_way_m(between(*last_odometry_, observation.odometry_now).translation_m);
-  last_odometry_ = observation.odometry_now;
+    travelled_m_ += along_way_m(between(*last_odometry_, observation.estimate.odometry_now).translation_m);
+  last_odometry_ = observation.estimate.odometry_now;
   note_progress(observation.now);
 
   node_ = phase_ == Phase::follow ? node_told(observation) : std::nullopt;
@@ -113,7 +113,7 @@ void Executive::note_progress(Time now) {
 }
 
 std::optional<NodeSighting> Executive::node_told(const Observation& observation) {
-  const bool away = travelled_m_ - told_at_m_ > options_.leaving_heights * observation.height_m;
+  const bool away = travelled_m_ - told_at_m_ > options_.leaving_heights * observation.estimate.height_m;
   const PlanStep* step = current_step();
   const NodeSignature* expected = step ? &step->expected : nullptr;
   const bool by_arms = traits_.servos_on_node || (expected && expected->bend == Bend::fork);
@@ -149,7 +149,7 @@ void Executive::judge_node(const Observation& observation) {
 // A first-order low pass, v ← p·v + (1 − p)·(v̂ + d̂) with p = exp(−dt/τ): the noise of the estimate is as
 // large as the speed below which the vehicle counts as at rest (vehicle/README.md).
 void Executive::smooth_velocity(const Observation& observation) {
-  const Eigen::Vector2d v_H_m_s = observation.v_H_m_s.head<2>() + node_drift_H_m_s(observation);
+  const Eigen::Vector2d v_H_m_s = observation.estimate.v_H_m_s.head<2>() + node_drift_H_m_s(observation);
   if (!v_H_m_s.allFinite()) return;
   const double kept =
       last_tick_ ? std::exp(-seconds(observation.now - *last_tick_) / options_.speed_time_constant_s) : 0.0;
@@ -159,7 +159,7 @@ void Executive::smooth_velocity(const Observation& observation) {
 Situation Executive::assess(const Observation& observation, bool on_ground) {
   Situation s;
   s.phase_s = seconds(observation.now - phase_began_);
-  s.height_m = observation.height_m;
+  s.height_m = observation.estimate.height_m;
   s.line_unseen_s = seconds(observation.now - line_seen_);
   s.line_angle_rad = pilot_.line_angle_rad();
   s.line_offset_m = pilot_.line_offset_m();
@@ -186,10 +186,10 @@ Situation Executive::assess(const Observation& observation, bool on_ground) {
 }
 
 void Executive::assess_health(const Observation& observation, Situation& s) const {
-  const Eigen::Vector2d here_m = observation.odometry_now.translation_m;
+  const Eigen::Vector2d here_m = observation.estimate.odometry_now.translation_m;
   s.flight_s = seconds(observation.now);
-  s.height_age_s = observation.height_age_s;
-  s.velocity_age_s = observation.velocity_age_s;
+  s.height_age_s = observation.estimate.height_age_s;
+  s.velocity_age_s = observation.estimate.velocity_age_s;
   const auto& refuses_since = pilot_.refuses_since();
   s.not_finite_s =
       std::max(guard_.bad_for_s(), refuses_since ? seconds(observation.now - *refuses_since) : 0.0);
@@ -230,7 +230,7 @@ void Executive::enter(Phase phase, const Observation& observation) {
 }
 
 void Executive::begin_search(Phase from, const Observation& observation) {
-  const Eigen::Vector2d here_m = observation.odometry_now.translation_m;
+  const Eigen::Vector2d here_m = observation.estimate.odometry_now.translation_m;
   if ((here_m - searched_at_m_).norm() > kSamePlace_m) searches_ = 0;
   searched_at_m_ = here_m;
   searched_from_ = from;

@@ -25,7 +25,7 @@ void Lookout::observe(const Observation& observation) {
   const auto& junction = observation.features.junction;
   if (!junction || junction->centre.vector().norm() > kBelow_heights) return;
   ++junctions_;
-  const double turned_rad = observation.odometry_at_capture.yaw_rad - heading_rad_;
+  const double turned_rad = observation.estimate.odometry_at_capture.yaw_rad - heading_rad_;
   for (const features::ArmFeature& arm : junction->arms) add(wrap_angle(arm.angle_rad + turned_rad));
 }
 

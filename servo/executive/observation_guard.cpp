@@ -55,16 +55,6 @@ void keep_finite(FrameFeatures& f) {
   keep_finite(f.law.target);
 }
 
-void copy_estimates(const Observation& from, Observation& to) {
-  to.odometry_now = from.odometry_now;
-  to.odometry_at_capture = from.odometry_at_capture;
-  to.height_m = from.height_m;
-  to.capture_height_m = from.capture_height_m;
-  to.v_H_m_s = from.v_H_m_s;
-  to.height_age_s = from.height_age_s;
-  to.velocity_age_s = from.velocity_age_s;
-}
-
 }  // namespace
 
 bool is_finite(const FrameFeatures& f) {
@@ -77,25 +67,26 @@ bool is_finite(const FrameFeatures& f) {
          finite_if_any(f.law.target);
 }
 
-bool has_finite_estimates(const Observation& o) {
-  return finite(o.odometry_now) && finite(o.odometry_at_capture) && finite(o.height_m) &&
-         finite(o.capture_height_m) && o.v_H_m_s.allFinite() && finite(o.height_age_s) &&
-         finite(o.velocity_age_s);
+bool is_finite(const StateEstimate& e) {
+  const auto& [now, at_capture, height_m, capture_height_m, v_H_m_s, height_age_s, velocity_age_s] = e;
+  return finite(now) && finite(at_capture) && finite(height_m) && finite(capture_height_m) &&
+         v_H_m_s.allFinite() && finite(height_age_s) && finite(velocity_age_s);
 }
 
 const Observation& ObservationGuard::checked(const Observation& observation) {
   const bool features_bad = !is_finite(observation.features);
-  const bool estimates_bad = !has_finite_estimates(observation);
+  const bool estimates_bad = !is_finite(observation.estimate);
   if (features_bad && !features_bad_) news_ = "features that are not finite count as not seen";
   if (estimates_bad && !bad_since_) news_ = "estimates that are not finite: the last good ones stand in";
   features_bad_ = features_bad;
   if (!estimates_bad) bad_since_.reset();
   if (estimates_bad && !bad_since_) bad_since_ = observation.now;
   bad_for_s_ = bad_since_ ? seconds(observation.now - *bad_since_) : 0.0;
-  if (!estimates_bad) copy_estimates(observation, sound_);
+  if (!estimates_bad) sound_.estimate = observation.estimate;
   if (!features_bad && !estimates_bad) return observation;
-  const Observation last_good = std::exchange(sound_, observation);
-  if (estimates_bad) copy_estimates(last_good, sound_);
+  const StateEstimate last_good = sound_.estimate;
+  sound_ = observation;
+  sound_.estimate = last_good;
   keep_finite(sound_.features);
   return sound_;
 }

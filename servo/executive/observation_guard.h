@@ -7,10 +7,9 @@
 
 namespace lineservo::servo {
 
-/// All numbers of perception are finite.
+/// All numbers of perception, or of the estimates, are finite.
 bool is_finite(const features::FrameFeatures& features);
-/// All numbers of the estimates are finite.
-bool has_finite_estimates(const Observation& observation);
+bool is_finite(const StateEstimate& estimate);
 
 /// The door of the executive: what comes through is finite. A feature that is not counts as not seen; the
 /// last good estimates stand in for bad ones, for as long as bad_for_s() says.

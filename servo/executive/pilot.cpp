@@ -11,8 +11,8 @@ namespace lineservo::servo {
 namespace {
 
 VelocityCommand moving_as(const Observation& o) {
-  if (!o.v_H_m_s.allFinite()) return {};
-  return {o.v_H_m_s.x(), o.v_H_m_s.y(), o.v_H_m_s.z(), 0.0};
+  if (!o.estimate.v_H_m_s.allFinite()) return {};
+  return {o.estimate.v_H_m_s.x(), o.estimate.v_H_m_s.y(), o.estimate.v_H_m_s.z(), 0.0};
 }
 
 constexpr double kLiesAcross_rad = features::radians(45.0);
@@ -36,10 +36,11 @@ bool Pilot::see_line(const Observation& observation) {
   line_offset_m_.reset();
   const features::LineFeature* line = line_to_follow(observation);
   if (!line) return false;
-  const features::LineFeature now = after(since_capture(observation), *line, observation.capture_height_m);
+  const features::LineFeature now =
+      after(since_capture(observation), *line, observation.estimate.capture_height_m);
   line_angle_rad_ = now.theta_rad;
-  line_offset_m_ = now.rho * observation.height_m;
-  last_line_ = LastLine{observation.odometry_now, *line_offset_m_, *line_angle_rad_};
+  line_offset_m_ = now.rho * observation.estimate.height_m;
+  last_line_ = LastLine{observation.estimate.odometry_now, *line_offset_m_, *line_angle_rad_};
   return true;
 }
 
@@ -73,7 +74,7 @@ void Pilot::change(Phase from, const Orders& orders, const Observation& observat
 }
 
 Turn Pilot::turn_in(const Orders& orders, const Observation& observation) const {
-  const double heading_in_rad = observation.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0);
+  const double heading_in_rad = observation.estimate.odometry_now.yaw_rad - line_angle_rad_.value_or(0.0);
   return Turn(heading_in_rad, orders.phase == Phase::look ? 2.0 * features::kPi : orders.step->turn_rad);
 }
 
@@ -148,12 +149,13 @@ Command Pilot::shape(const Command& command, const Observation& observation, dou
 }
 
 VelocityCommand Pilot::climb(const Observation& observation) const {
-  return {0.0, 0.0, height_rate(observation.height_m, options_.phases.height_m, 1.5, options_.climb_rate_m_s),
+  return {0.0, 0.0,
+          height_rate(observation.estimate.height_m, options_.phases.height_m, 1.5, options_.climb_rate_m_s),
           0.0};
 }
 
 VelocityCommand Pilot::stay(const Observation& observation, double yaw_rate_rad_s) const {
-  return {0.0, 0.0, height_rate(observation.height_m, options_.phases.height_m), yaw_rate_rad_s};
+  return {0.0, 0.0, height_rate(observation.estimate.height_m, options_.phases.height_m), yaw_rate_rad_s};
 }
 
 // Above the start marker when there is one to be seen; a law that does not dock does so only while it sees no
@@ -206,7 +208,8 @@ std::optional<double> Pilot::stop_ahead_m(const Orders& orders, const Observatio
   if (!step || step->manoeuvre == Manoeuvre::go_straight) return std::nullopt;
   if (const auto node = tracker_.node_now(observation)) return node->x();
   if (!observation.features.line_end || orders.leaving) return std::nullopt;
-  const Eigen::Vector2d end_m = floor_point_m(*observation.features.line_end, observation.capture_height_m);
+  const Eigen::Vector2d end_m =
+      floor_point_m(*observation.features.line_end, observation.estimate.capture_height_m);
   return after(since_capture(observation), end_m).x();
 }
 
@@ -247,7 +250,7 @@ CornerArc Pilot::arc_from_here(const PlanStep* step, const Observation& observat
 std::optional<CornerPath> Pilot::corner_path(const Observation& observation) const {
   const auto node = tracker_.node_now(observation);
   if (!node) return std::nullopt;
-  const double yaw_rad = observation.odometry_now.yaw_rad;
+  const double yaw_rad = observation.estimate.odometry_now.yaw_rad;
   return CornerPath(*node, turn_.heading_in_rad() - yaw_rad, turn_.heading_out_rad() - turn_.heading_in_rad(),
                     arc_.radius_m);
 }
@@ -264,8 +267,8 @@ VelocityCommand Pilot::corner(const Observation& observation) {
   const double heading_rad = path->heading_rad(way_m + speed_m_s * options_.approach.response_s);
   const bool turns_now =
       way_m > -0.5 * speed_m_s * turn_time_s(turn_.heading_out_rad() - turn_.heading_in_rad(), options_.turn);
-  const double left_rad =
-      turns_now ? turn_left_rad(observation) : turn_.heading_in_rad() - observation.odometry_now.yaw_rad;
+  const double left_rad = turns_now ? turn_left_rad(observation)
+                                    : turn_.heading_in_rad() - observation.estimate.odometry_now.yaw_rad;
   DockGoal goal{path->point_m(way_m), std::nullopt, turn_rate(left_rad, options_.turn),
                 options_.phases.height_m};
   goal.velocity_H_m_s = speed_m_s * Eigen::Vector2d(std::cos(heading_rad), std::sin(heading_rad));
@@ -275,12 +278,14 @@ VelocityCommand Pilot::corner(const Observation& observation) {
 // Above the node as long as the height lets the camera see it, then straight down; the autopilot does the
 // rest.
 Command Pilot::land(const Observation& observation) {
-  if (!traits_.servos_on_node || !(observation.height_m > options_.touch_down_m)) return LandCommand{};
-  if (observation.height_m < options_.blind_share * options_.phases.height_m) return sink(observation);
+  if (!traits_.servos_on_node || !(observation.estimate.height_m > options_.touch_down_m))
+    return LandCommand{};
+  if (observation.estimate.height_m < options_.blind_share * options_.phases.height_m)
+    return sink(observation);
   const auto node = tracker_.node_now(observation);
   if (!node) return LandCommand{};
-  return dock_law_.hold(observation,
-                        {*node, line_angle_rad_, 0.0, options_.descent_share * observation.height_m});
+  return dock_law_.hold(
+      observation, {*node, line_angle_rad_, 0.0, options_.descent_share * observation.estimate.height_m});
 }
 
 VelocityCommand Pilot::search(const Observation& observation) {

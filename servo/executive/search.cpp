@@ -25,7 +25,7 @@ Eigen::Vector2d Search::velocity_H_m_s(const Observation& observation) {
   constexpr double kGain_per_s = 1.5;
   if (seconds(observation.now - began_) < options_.wait_s) return Eigen::Vector2d::Zero();
   while (!places_.empty()) {
-    const Eigen::Vector2d to_go_m = after(observation.odometry_now, places_.back());
+    const Eigen::Vector2d to_go_m = after(observation.estimate.odometry_now, places_.back());
     const double way_m = to_go_m.norm();
     if (way_m > options_.reached_m) return std::min(kGain_per_s, options_.speed_m_s / way_m) * to_go_m;
     places_.pop_back();

@@ -77,7 +77,7 @@ bool is_fork(const features::JunctionFeature& junction, const std::vector<double
 
 std::optional<Eigen::Vector2d> disc_sighting(const Observation& o) {
   if (!o.features.start_marker) return std::nullopt;
-  return floor_point_m(*o.features.start_marker, o.capture_height_m);
+  return floor_point_m(*o.features.start_marker, o.estimate.capture_height_m);
 }
 
 features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
@@ -88,16 +88,16 @@ features::CodeReading near_reading(const Observation& o, const PlanStep* step) {
     reading.line_ends_ahead = false;
   if (reading.smoothed != features::JunctionCode::start) return reading;
   const auto disc = disc_sighting(o);
-  const bool is_near = disc && disc->norm() < kDiscNear_heights * o.capture_height_m;
+  const bool is_near = disc && disc->norm() < kDiscNear_heights * o.estimate.capture_height_m;
   if (!expects_disc(step) || !is_near) reading.smoothed = features::JunctionCode::unrecognised;
   return reading;
 }
 
 std::optional<Eigen::Vector2d> node_sighting(const Observation& o, const PlanStep* step) {
   if (expects_disc(step)) return disc_sighting(o);
-  if (o.features.junction) return floor_point_m(o.features.junction->centre, o.capture_height_m);
+  if (o.features.junction) return floor_point_m(o.features.junction->centre, o.estimate.capture_height_m);
   if (expects_dead_end(step) && line_to_follow(o) && o.features.code.line_ends_ahead) {
-    return floor_point_m(line_to_follow(o)->end, o.capture_height_m);
+    return floor_point_m(line_to_follow(o)->end, o.estimate.capture_height_m);
   }
   return std::nullopt;
 }
@@ -108,7 +108,7 @@ std::optional<Eigen::Vector2d> dead_end_sighting(const Observation& o, const Pla
   std::optional<Eigen::Vector2d> nearest_m;
   for (const features::LineFeature& line : o.features.lines) {
     for (const features::LevelPoint& end : {line.begin, line.end}) {
-      const Eigen::Vector2d end_m = floor_point_m(end, o.capture_height_m);
+      const Eigen::Vector2d end_m = floor_point_m(end, o.estimate.capture_height_m);
       if (!nearest_m || (end_m - *where_m).norm() < (*nearest_m - *where_m).norm()) nearest_m = end_m;
     }
   }

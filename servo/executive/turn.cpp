@@ -29,7 +29,7 @@ const LineFeature* nearest_line(const std::vector<LineFeature>& lines, double th
 }  // namespace
 
 std::optional<double> Turn::correct(const Observation& observation) {
-  const double yaw_at_capture_rad = observation.odometry_at_capture.yaw_rad;
+  const double yaw_at_capture_rad = observation.estimate.odometry_at_capture.yaw_rad;
   const double left_at_capture_rad = heading_out_rad_ - yaw_at_capture_rad;
   if (std::abs(left_at_capture_rad) > kNewLine_rad) return std::nullopt;
   const LineFeature* line = nearest_line(observation.features.lines, -left_at_capture_rad, kNewLine_rad);

@@ -18,7 +18,7 @@ class Turn {
   double heading_out_rad() const { return heading_out_rad_; }
   /// What is left to turn now, positive to the left.
   double left_rad(const Observation& observation) const {
-    return heading_out_rad_ - observation.odometry_now.yaw_rad;
+    return heading_out_rad_ - observation.estimate.odometry_now.yaw_rad;
   }
 
   /// Looks for the next edge's line and, when the frame shows it, takes its heading. The line's angle now.

@@ -16,7 +16,7 @@ void DockLaw::reset() {
 
 // The vehicle's place against the node, in the odometry's directions: −R(ψ) p.
 void DockLaw::observe(const Observation& observation, const Eigen::Vector2d& point_at_capture_m) {
-  const Motion& odometry = observation.odometry_at_capture;
+  const Motion& odometry = observation.estimate.odometry_at_capture;
   const Eigen::Vector2d place_m = -(Eigen::Rotation2Dd(odometry.yaw_rad) * point_at_capture_m);
   if (!place_m.allFinite()) return;
   if (last_captured_ && *last_captured_ >= observation.captured) return;
@@ -30,14 +30,15 @@ void DockLaw::observe(const Observation& observation, const Eigen::Vector2d& poi
 
 VelocityCommand DockLaw::hold(const Observation& observation, const DockGoal& goal) {
   PointTask& task = goal.theta_rad ? on_line_ : turning_;
-  const TaskSolution solution = task.solve(
-      level_point(goal.point_H_m, observation.height_m), goal.theta_rad.value_or(0.0), observation.height_m,
-      goal.height_m, goal.yaw_rate_rad_s, drift_H_m_s(observation) - goal.velocity_H_m_s);
+  const TaskSolution solution =
+      task.solve(level_point(goal.point_H_m, observation.estimate.height_m), goal.theta_rad.value_or(0.0),
+                 observation.estimate.height_m, goal.height_m, goal.yaw_rate_rad_s,
+                 drift_H_m_s(observation) - goal.velocity_H_m_s);
   return solution.valid ? solution.command : VelocityCommand{};
 }
 
 Eigen::Vector2d DockLaw::drift_H_m_s(const Observation& observation) const {
-  return Eigen::Rotation2Dd(-observation.odometry_now.yaw_rad) *
+  return Eigen::Rotation2Dd(-observation.estimate.odometry_now.yaw_rad) *
          Eigen::Vector2d(drift_x_.drift_m_s(), drift_y_.drift_m_s());
 }
 

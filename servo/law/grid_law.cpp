@@ -79,9 +79,9 @@ double GridLaw::speed_pitch(const Observation& observation, double speed_m_s) co
 }
 
 std::optional<GridLaw::Line> GridLaw::vertical(const Observation& o, double dt_s) {
-  const auto tracked = vertical_.update(dt_s, o.capture_height_m, finite(o.features.law.lines));
+  const auto tracked = vertical_.update(dt_s, o.estimate.capture_height_m, finite(o.features.law.lines));
   if (!tracked) return std::nullopt;
-  return Line{tracked->line.rho * o.capture_height_m, tracked->line.theta_rad};
+  return Line{tracked->line.rho * o.estimate.capture_height_m, tracked->line.theta_rad};
 }
 
 // The horizontal line nearest to the vehicle starts the track, and stays the goal's.
@@ -90,9 +90,9 @@ std::optional<GridLaw::Line> GridLaw::horizontal(const Observation& o, double dt
   std::transform(lines.begin(), lines.end(), lines.begin(), quarter_turned);
   std::sort(lines.begin(), lines.end(),
             [](const LineFeature& a, const LineFeature& b) { return std::abs(a.rho) < std::abs(b.rho); });
-  const auto tracked = horizontal_.update(dt_s, o.capture_height_m, lines);
+  const auto tracked = horizontal_.update(dt_s, o.estimate.capture_height_m, lines);
   if (!tracked) return std::nullopt;
-  return Line{tracked->line.rho * o.capture_height_m, tracked->line.theta_rad};
+  return Line{tracked->line.rho * o.estimate.capture_height_m, tracked->line.theta_rad};
 }
 
 double GridLaw::step_s(const Observation& observation) {

@@ -21,11 +21,11 @@ void IbvsLineLaw::reset() {
 
 Command IbvsLineLaw::follow(const Observation& observation, const FollowGoal& goal) {
   const std::optional<LineFeature> line = line_now(observation);
-  if (!line) return VelocityCommand{0.0, 0.0, height_rate(observation.height_m, goal.height_m), 0.0};
-  const double speed_m_s = safe_speed(*line, observation.height_m, goal.speed_m_s);
-  const double bend_rad_s = line->curvature / observation.height_m * speed_m_s;  // θ̇ = ω + κ v
-  const TaskSolution solution = task_.solve(line->rho, line->theta_rad, observation.height_m, goal.height_m,
-                                            speed_m_s, drift_.drift_m_s(), bend_rad_s);
+  if (!line) return VelocityCommand{0.0, 0.0, height_rate(observation.estimate.height_m, goal.height_m), 0.0};
+  const double speed_m_s = safe_speed(*line, observation.estimate.height_m, goal.speed_m_s);
+  const double bend_rad_s = line->curvature / observation.estimate.height_m * speed_m_s;  // θ̇ = ω + κ v
+  const TaskSolution solution = task_.solve(line->rho, line->theta_rad, observation.estimate.height_m,
+                                            goal.height_m, speed_m_s, drift_.drift_m_s(), bend_rad_s);
   return solution.valid ? solution.command : VelocityCommand{};
 }
 
@@ -34,25 +34,27 @@ std::optional<LineFeature> IbvsLineLaw::line_now(const Observation& observation)
   const bool is_new = !last_ || observation.captured > last_->captured;
   if (seen && is_new) {
     observe_drift(observation, *seen);
-    last_ = {*seen, observation.captured, observation.odometry_at_capture, observation.capture_height_m};
+    last_ = {*seen, observation.captured, observation.estimate.odometry_at_capture,
+             observation.estimate.capture_height_m};
   }
   if (!last_ || seconds(observation.now - last_->captured) > options_.coast_s) return std::nullopt;
-  LineFeature line = after(between(last_->odometry, observation.odometry_now), last_->line, last_->height_m);
+  LineFeature line =
+      after(between(last_->odometry, observation.estimate.odometry_now), last_->line, last_->height_m);
   // the same metres, seen from the height now
-  line.rho *= last_->height_m / observation.height_m;
-  line.curvature *= observation.height_m / last_->height_m;
+  line.rho *= last_->height_m / observation.estimate.height_m;
+  line.curvature *= observation.estimate.height_m / last_->height_m;
   return line;
 }
 
 // The vehicle's place to the left of the line is ρh. The odometry's own step across the line is where it
 // would have the line of the frame before, less where that was.
 void IbvsLineLaw::observe_drift(const Observation& observation, const LineFeature& line) {
-  const double left_m = line.rho * observation.capture_height_m;
+  const double left_m = line.rho * observation.estimate.capture_height_m;
   if (!last_) {
     drift_.update(left_m, 0.0, 0.0);
     return;
   }
-  const Motion moved = between(last_->odometry, observation.odometry_at_capture);
+  const Motion moved = between(last_->odometry, observation.estimate.odometry_at_capture);
   const double step_m = (after(moved, last_->line, last_->height_m).rho - last_->line.rho) * last_->height_m;
   drift_.update(left_m, step_m, seconds(observation.captured - last_->captured));
 }

@@ -25,12 +25,12 @@ void IbvsPointLaw::reset() {
 
 Command IbvsPointLaw::follow(const Observation& observation, const FollowGoal& goal) {
   const std::optional<LevelPoint> point = point_now(observation);
-  const double climb_m_s = height_rate(observation.height_m, goal.height_m);
+  const double climb_m_s = height_rate(observation.estimate.height_m, goal.height_m);
   if (!point && !line_to_follow(observation)) return VelocityCommand{0.0, 0.0, climb_m_s, 0.0};
   if (!point) return VelocityCommand{goal.speed_m_s, -drift_m_s(observation), climb_m_s, goal.yaw_rate_rad_s};
   const double offset = point->x / options_.view_margin;
   const double forward_m_s = goal.speed_m_s * std::clamp(1.0 - offset * offset, 0.0, 1.0);
-  const TaskSolution solution = task_.solve(*point, observation.height_m, goal.height_m,
+  const TaskSolution solution = task_.solve(*point, observation.estimate.height_m, goal.height_m,
                                             {forward_m_s, goal.yaw_rate_rad_s, drift_m_s(observation)});
   return solution.valid ? solution.command : VelocityCommand{};
 }
@@ -48,14 +48,15 @@ std::optional<LevelPoint> IbvsPointLaw::point_now(const Observation& observation
   const LevelPoint* seen = usable_point(observation);
   const bool is_new = !last_ || observation.captured > last_->captured;
   if (seen && is_new) {
-    const Eigen::Vector2d point_m = floor_point_m(*seen, observation.capture_height_m);
+    const Eigen::Vector2d point_m = floor_point_m(*seen, observation.estimate.capture_height_m);
     observe_drift(observation, point_m);
-    last_ = {point_m, observation.captured, observation.odometry_at_capture};
+    last_ = {point_m, observation.captured, observation.estimate.odometry_at_capture};
   }
   if (!last_ || seconds(observation.now - last_->captured) > options_.coast_s) return std::nullopt;
-  Eigen::Vector2d point_m = after(between(last_->odometry, observation.odometry_now), last_->point_m);
+  Eigen::Vector2d point_m =
+      after(between(last_->odometry, observation.estimate.odometry_now), last_->point_m);
   point_m.y() -= drift_m_s(observation) * seconds(observation.now - last_->captured);
-  return level_point(point_m, observation.height_m);
+  return level_point(point_m, observation.estimate.height_m);
 }
 
 double IbvsPointLaw::drift_m_s(const Observation& observation) const {
@@ -69,7 +70,8 @@ double IbvsPointLaw::drift_m_s(const Observation& observation) const {
 void IbvsPointLaw::observe_drift(const Observation& observation, const Eigen::Vector2d& point_m) {
   const double gap_s = last_ ? seconds(observation.captured - last_->captured) : 0.0;
   const bool goes_on = last_ && gap_s <= options_.coast_s;
-  const Motion moved = goes_on ? between(last_->odometry, observation.odometry_at_capture) : Motion{};
+  const Motion moved =
+      goes_on ? between(last_->odometry, observation.estimate.odometry_at_capture) : Motion{};
   const double step_m = goes_on ? last_->point_m.y() - after(moved, last_->point_m).y() : 0.0;
   for (DriftObserver* drift : {&drift_, &junction_drift_}) {
     if (!goes_on) drift->restart();

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <chrono>
 #include <cmath>
 
 #include "features/frame_features.h"
 #include "features/geometry/angles.h"
 #include "servo/law/motion.h"
+#include "servo/law/state_estimate.h"
 
 namespace lineservo::servo {
 
@@ -21,19 +21,13 @@ struct Observation {
   Time now{0};
   Time captured{0};  ///< mid-exposure of the frame, as far as the camera's latency is known
   features::FrameFeatures features;
-  Motion odometry_now;  ///< dead reckoning by the velocity and yaw estimates since the flight began; drifts
-  Motion odometry_at_capture;  ///< the same when the frame was taken
-  double height_m = 0.0;       ///< now
-  double capture_height_m = 0.0;
-  Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
   bool has_frame = true;  ///< otherwise none came in time, and the features are empty
-  /// For how long no sensor has told the height and the velocity.
-  double height_age_s = 0.0, velocity_age_s = 0.0;
+  StateEstimate estimate;
 };
 
 /// What the vehicle moved since the frame was taken.
 inline Motion since_capture(const Observation& o) {
-  return between(o.odometry_at_capture, o.odometry_now);
+  return between(o.estimate.odometry_at_capture, o.estimate.odometry_now);
 }
 
 /// A line that lies further than this across the way leads elsewhere: a side arm that is alone in view.

@@ -14,7 +14,8 @@ void PidLaw::reset() {
 }
 
 Command PidLaw::follow(const Observation& observation, const FollowGoal& goal) {
-  VelocityCommand command{goal.speed_m_s, 0.0, height_rate(observation.height_m, goal.height_m), 0.0};
+  VelocityCommand command{goal.speed_m_s, 0.0, height_rate(observation.estimate.height_m, goal.height_m),
+                          0.0};
   const auto& centroid = observation.features.centroid_px;
   if (centroid && std::isfinite(centroid->x)) {
     // c_x grows to the right of the image, the vehicle's left is positive.
@@ -31,7 +32,7 @@ Command PidLaw::follow(const Observation& observation, const FollowGoal& goal) {
 // ψ = atan(Δx / f) (eq. 6) when |Δx| > Γ / 2h; to the right of the image is clockwise.
 double PidLaw::yaw_rate_rad_s(double offset_px, const Observation& observation) const {
   const double period_s = captured_ ? seconds(observation.captured - *captured_) : 0.0;
-  const double threshold_px = options_.yaw_gamma_px_m / (2.0 * observation.height_m);
+  const double threshold_px = options_.yaw_gamma_px_m / (2.0 * observation.estimate.height_m);
   if (period_s <= 0.0 || std::abs(offset_px) <= threshold_px) return 0.0;
   const double clipped_px = std::clamp(offset_px, -options_.yaw_clip_px, options_.yaw_clip_px);
   const double psi_rad = std::atan(clipped_px / options_.yaw_focal_px);

@@ -33,7 +33,7 @@ inline bool on_plain_line(const Observation& o) {
 /// Ours, not the paper's: pitch for the difference between the wanted and the estimated speed. The published
 /// pitch is as small as the error of the attitude estimate. 0 without an estimate or a gain.
 inline double speed_hold(const Observation& o, double speed_m_s, double gain_rad_per_m_s) {
-  const double off_m_s = speed_m_s - o.v_H_m_s.x();
+  const double off_m_s = speed_m_s - o.estimate.v_H_m_s.x();
   return std::isfinite(off_m_s) ? gain_rad_per_m_s * off_m_s : 0.0;
 }
 

@@ -40,7 +40,7 @@ std::optional<Command> VtpLaw::hover(const Observation& observation, const Follo
 VelocityCommand VtpLaw::step_towards(const Observation& observation, const FollowGoal& goal,
                                      double scale) const {
   const Eigen::Vector2d v_H_m_s = scale * step_H_m_ / options_.period_s;
-  return {v_H_m_s.x(), v_H_m_s.y(), height_rate(observation.height_m, goal.height_m), 0.0};
+  return {v_H_m_s.x(), v_H_m_s.y(), height_rate(observation.estimate.height_m, goal.height_m), 0.0};
 }
 
 bool VtpLaw::step_is_due(const Observation& observation) const {

@@ -97,7 +97,7 @@ inline Logbook fly(const Mission& mission) {
   Logbook log;
   while (executive.phase() != Phase::finished && seconds(vehicle.now()) < mission.time_limit_s) {
     Observation o = vehicle.observe(frame_of(mission, vehicle, window), mission.delay_steps);
-    if (mission.velocity_noise_m_s) o.v_H_m_s.head<2>() += mission.velocity_noise_m_s();
+    if (mission.velocity_noise_m_s) o.estimate.v_H_m_s.head<2>() += mission.velocity_noise_m_s();
     const Command command = executive.tick(o, vehicle.on_ground());
     log.ticks.push_back(
         {seconds(vehicle.now()), executive.phase(), executive.step(), vehicle.pose(), command});

@@ -43,11 +43,11 @@ class TestVehicle {
     o.now = now();
     o.captured = then.stamp;
     o.features = std::move(features);
-    o.odometry_now = history_.back().odometry;
-    o.odometry_at_capture = then.odometry;
-    o.height_m = pose().height_m;
-    o.capture_height_m = then.pose.height_m;
-    o.v_H_m_s = {velocity_.forward_m_s, velocity_.left_m_s, velocity_.up_m_s};
+    o.estimate.odometry_now = history_.back().odometry;
+    o.estimate.odometry_at_capture = then.odometry;
+    o.estimate.height_m = pose().height_m;
+    o.estimate.capture_height_m = then.pose.height_m;
+    o.estimate.v_H_m_s = {velocity_.forward_m_s, velocity_.left_m_s, velocity_.up_m_s};
     return o;
   }
 

@@ -104,8 +104,8 @@ TEST(Digest, OfACommandTellsItsKinds) {
 
 TEST(Digest, AllThatIsNotANumberIsEqual) {
   TickInput a, b;
-  a.height_m = std::numeric_limits<double>::quiet_NaN();
-  b.height_m = -std::numeric_limits<double>::quiet_NaN();
+  a.estimate.height_m = std::numeric_limits<double>::quiet_NaN();
+  b.estimate.height_m = -std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(digest(a), digest(b));
 }
 

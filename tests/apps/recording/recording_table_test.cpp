@@ -18,8 +18,8 @@ RecordedTick odd_tick() {
   tick.input.now = servo::Time(123456789012345678);
   tick.input.roll_rad = 0.1;
   tick.input.pitch_rad = -0.0;
-  tick.input.height_m = std::numeric_limits<double>::denorm_min();
-  tick.input.v_H_m_s = {1.0 / 3.0, std::numeric_limits<double>::quiet_NaN(), -1e300};
+  tick.input.estimate.height_m = std::numeric_limits<double>::denorm_min();
+  tick.input.estimate.v_H_m_s = {1.0 / 3.0, std::numeric_limits<double>::quiet_NaN(), -1e300};
   tick.input.on_ground = true;
   tick.estimates_sha256 = "e";
   tick.frame = "000000.png";

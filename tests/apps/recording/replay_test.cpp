@@ -86,14 +86,14 @@ TEST_F(ReplayTest, AChangedFrameWithItsHashGivesOtherFeatures) {
 }
 
 TEST_F(ReplayTest, AChangedEstimateIsNamed) {
-  tick(80).input.v_H_m_s.y() += 1e-12;
+  tick(80).input.estimate.v_H_m_s.y() += 1e-12;
   testing::write_table(recording_);
   EXPECT_THAT(difference(), AllOf(HasSubstr("tick 80"), HasSubstr("the estimates are not those")));
 }
 
 TEST_F(ReplayTest, AChangedEstimateWithItsHashGivesAnotherCommand) {
   RecordedTick& changed = tick(100);
-  changed.input.height_m += 0.01;
+  changed.input.estimate.height_m += 0.01;
   changed.estimates_sha256 = digest(changed.input);
   testing::write_table(recording_);
   EXPECT_THAT(difference(), AllOf(HasSubstr("tick 100"), HasSubstr("ibvs gives another command")));
@@ -150,8 +150,9 @@ TEST_F(ReplayTest, WhatIsNoRecordingIsRefused) {
 TEST(Replay, AFlightWithFaultsIsTheSameToTheLastBit) {
   const testing::TempFolder temp;
   testing::record_flight(
-      temp.path(), testing::short_request({"faults.camera_silent.start_s=8", "faults.camera_silent.duration_s=1",
-                                           "faults.law_nan.start_s=9.5", "faults.law_nan.duration_s=0.3"}));
+      temp.path(),
+      testing::short_request({"faults.camera_silent.start_s=8", "faults.camera_silent.duration_s=1",
+                              "faults.law_nan.start_s=9.5", "faults.law_nan.duration_s=0.3"}));
   const Recording recording = read_recording(temp.path());
   EXPECT_TRUE(std::any_of(recording.ticks.begin(), recording.ticks.end(),
                           [](const RecordedTick& tick) { return !tick.input.has_frame; }));

@@ -46,8 +46,8 @@ TEST(GrabberFeed, OfFilesATickIsAtItsFramesStamp) {
   EXPECT_EQ(second->input.now, from_seconds(0.1));
   EXPECT_EQ(second->input.captured, from_seconds(0.1));
   EXPECT_EQ(second->input.exposed, from_seconds(0.1));
-  EXPECT_EQ(second->input.height_m, 0.8);
-  EXPECT_EQ(second->input.capture_height_m, 0.8);
+  EXPECT_EQ(second->input.estimate.height_m, 0.8);
+  EXPECT_EQ(second->input.estimate.capture_height_m, 0.8);
   EXPECT_FALSE(second->exposed_at);
   EXPECT_FALSE(feed.next());
 }
@@ -74,14 +74,14 @@ TEST(GrabberFeed, TakesTheEstimatesAtEachInstant) {
   last.odometry = {{1.0, 2.0}, 0.5};
   GrabberFeed feed(std::make_unique<support::ScriptedSource>(std::vector{image, image}), camera(),
                    Estimates({first, last}, "e"), Pace::files);
-  EXPECT_EQ(feed.next()->input.height_m, 0.5);
+  EXPECT_EQ(feed.next()->input.estimate.height_m, 0.5);
   const TickInput input = feed.next()->input;
-  EXPECT_EQ(input.height_m, 1.0);
-  EXPECT_EQ(input.capture_height_m, 1.0);
+  EXPECT_EQ(input.estimate.height_m, 1.0);
+  EXPECT_EQ(input.estimate.capture_height_m, 1.0);
   EXPECT_EQ(input.roll_rad, 0.1);
-  EXPECT_EQ(input.v_H_m_s, last.v_H_m_s);
-  EXPECT_EQ(input.odometry_now.translation_m, last.odometry.translation_m);
-  EXPECT_EQ(input.odometry_at_capture.yaw_rad, 0.5);
+  EXPECT_EQ(input.estimate.v_H_m_s, last.v_H_m_s);
+  EXPECT_EQ(input.estimate.odometry_now.translation_m, last.odometry.translation_m);
+  EXPECT_EQ(input.estimate.odometry_at_capture.yaw_rad, 0.5);
 }
 
 }  // namespace

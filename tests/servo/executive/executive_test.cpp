@@ -44,7 +44,7 @@ struct Bench {
     Observation o;
     o.now = o.captured = now;
     o.features = floor.view(pose);
-    o.height_m = o.capture_height_m = start;
+    o.estimate.height_m = o.estimate.capture_height_m = start;
     now += std::chrono::milliseconds(100);
     return executive->tick(o, false);
   }
@@ -78,7 +78,7 @@ double yaw_rate_on_an_edge(bool bends, const LawTraits& traits, FollowGoal* aske
     o.features.lines.push_back(line);
     o.features.code = {features::JunctionCode::straight, features::JunctionCode::straight,
                        features::JunctionCode::straight};
-    o.height_m = o.capture_height_m = 0.5;
+    o.estimate.height_m = o.estimate.capture_height_m = 0.5;
     command = executive.tick(o, false);
   }
   EXPECT_EQ(executive.phase(), Phase::follow);

@@ -16,7 +16,7 @@ constexpr Time kPeriod = std::chrono::milliseconds(100);
 Observation seen(int frame, double yaw_rad, std::initializer_list<double> thetas_deg) {
   Observation o;
   o.now = o.captured = frame * kPeriod;
-  o.odometry_at_capture.yaw_rad = yaw_rad;
+  o.estimate.odometry_at_capture.yaw_rad = yaw_rad;
   for (const double theta_deg : thetas_deg) {
     LineFeature line;
     line.theta_rad = radians(theta_deg);

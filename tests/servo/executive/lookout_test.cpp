@@ -12,7 +12,7 @@ using features::radians;
 /// A frame taken at a heading, over a node whose arms lie at these headings.
 Observation frame(double heading_rad, const std::vector<double>& arms_rad, double off = 0.0) {
   Observation o;
-  o.odometry_at_capture.yaw_rad = heading_rad;
+  o.estimate.odometry_at_capture.yaw_rad = heading_rad;
   o.features.junction.emplace();
   o.features.junction->centre = {off, 0.0};
   for (const double arm_rad : arms_rad)

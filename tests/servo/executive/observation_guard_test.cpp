@@ -19,10 +19,10 @@ Observation sound(int k) {
   Observation o;
   o.now = k * std::chrono::milliseconds(100);
   o.captured = o.now - std::chrono::milliseconds(50);
-  o.odometry_now = {{0.1 * k, 0.2}, 0.3};
-  o.odometry_at_capture = {{0.1 * k - 0.05, 0.2}, 0.29};
-  o.height_m = o.capture_height_m = 0.5 + 0.01 * k;
-  o.v_H_m_s << 0.1, 0.0, 0.01 * k;
+  o.estimate.odometry_now = {{0.1 * k, 0.2}, 0.3};
+  o.estimate.odometry_at_capture = {{0.1 * k - 0.05, 0.2}, 0.29};
+  o.estimate.height_m = o.estimate.capture_height_m = 0.5 + 0.01 * k;
+  o.estimate.v_H_m_s << 0.1, 0.0, 0.01 * k;
   o.features.lines.resize(2);
   o.features.lines[1].rho = 0.4;
   o.features.junction.emplace();
@@ -103,20 +103,20 @@ TEST(ObservationGuard, OnlyTheLineThatIsNotFiniteGoes) {
     const Observation& out = guard.checked(o);
     ASSERT_EQ(out.features.lines.size(), 1u);
     EXPECT_EQ(out.features.lines[0].rho, 0.4);
-    EXPECT_EQ(out.odometry_now.translation_m, o.odometry_now.translation_m);
+    EXPECT_EQ(out.estimate.odometry_now.translation_m, o.estimate.odometry_now.translation_m);
   }
 }
 
 TEST(ObservationGuard, TheLastGoodEstimatesStandIn) {
   const std::vector<std::function<void(Observation&, double)>> all{
-      [](auto& o, double v) { o.odometry_now.translation_m.x() = v; },
-      [](auto& o, double v) { o.odometry_now.yaw_rad = v; },
-      [](auto& o, double v) { o.odometry_at_capture.yaw_rad = v; },
-      [](auto& o, double v) { o.height_m = v; },
-      [](auto& o, double v) { o.capture_height_m = v; },
-      [](auto& o, double v) { o.v_H_m_s.z() = v; },
-      [](auto& o, double v) { o.height_age_s = v; },
-      [](auto& o, double v) { o.velocity_age_s = v; },
+      [](auto& o, double v) { o.estimate.odometry_now.translation_m.x() = v; },
+      [](auto& o, double v) { o.estimate.odometry_now.yaw_rad = v; },
+      [](auto& o, double v) { o.estimate.odometry_at_capture.yaw_rad = v; },
+      [](auto& o, double v) { o.estimate.height_m = v; },
+      [](auto& o, double v) { o.estimate.capture_height_m = v; },
+      [](auto& o, double v) { o.estimate.v_H_m_s.z() = v; },
+      [](auto& o, double v) { o.estimate.height_age_s = v; },
+      [](auto& o, double v) { o.estimate.velocity_age_s = v; },
   };
   for (const double bad : {kNaN, kInf}) {
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -125,12 +125,12 @@ TEST(ObservationGuard, TheLastGoodEstimatesStandIn) {
       Observation o = sound(5);
       all[k](o, bad);
       const Observation& out = guard.checked(o);
-      EXPECT_TRUE(has_finite_estimates(out)) << k;
+      EXPECT_TRUE(is_finite(out.estimate)) << k;
       EXPECT_EQ(out.now, o.now) << "time goes on";
       EXPECT_EQ(out.captured, o.captured);
-      EXPECT_EQ(out.odometry_now.translation_m, sound(4).odometry_now.translation_m) << k;
-      EXPECT_EQ(out.height_m, sound(4).height_m) << k;
-      EXPECT_EQ(out.v_H_m_s, sound(4).v_H_m_s) << k;
+      EXPECT_EQ(out.estimate.odometry_now.translation_m, sound(4).estimate.odometry_now.translation_m) << k;
+      EXPECT_EQ(out.estimate.height_m, sound(4).estimate.height_m) << k;
+      EXPECT_EQ(out.estimate.v_H_m_s, sound(4).estimate.v_H_m_s) << k;
       EXPECT_EQ(out.features.lines.size(), 2u) << "what is seen counts";
       EXPECT_THAT(guard.take_news(), Optional(HasSubstr("last good ones"))) << k;
     }
@@ -143,8 +143,8 @@ TEST(ObservationGuard, SaysForHowLongTheyHaveBeenBad) {
   int told = 0;
   for (int k = 1; k <= 6; ++k) {
     Observation o = sound(k);
-    o.height_m = kNaN;
-    EXPECT_EQ(guard.checked(o).height_m, 0.5);
+    o.estimate.height_m = kNaN;
+    EXPECT_EQ(guard.checked(o).estimate.height_m, 0.5);
     EXPECT_NEAR(guard.bad_for_s(), 0.1 * (k - 1), 1e-9);
     told += guard.take_news() ? 1 : 0;
   }
@@ -161,15 +161,15 @@ TEST(ObservationGuard, BadFeaturesAreNoBadEstimates) {
   EXPECT_EQ(guard.bad_for_s(), 0.0);
   // and its estimates are the last good ones
   Observation bad = sound(2);
-  bad.height_m = kNaN;
-  EXPECT_EQ(guard.checked(bad).height_m, o.height_m);
+  bad.estimate.height_m = kNaN;
+  EXPECT_EQ(guard.checked(bad).estimate.height_m, o.estimate.height_m);
 }
 
 TEST(ObservationGuard, IsFiniteWhenNothingGoodCameBefore) {
   ObservationGuard guard;
   Observation o = sound(0);
-  o.v_H_m_s.setConstant(kNaN);
-  EXPECT_TRUE(has_finite_estimates(guard.checked(o)));
+  o.estimate.v_H_m_s.setConstant(kNaN);
+  EXPECT_TRUE(is_finite(guard.checked(o).estimate));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ Flown fly(Search search, Motion at) {
   Flown flown;
   Observation o;
   for (o.now = kBegan; !search.is_over(o.now) && o.now < kBegan + std::chrono::seconds(60); o.now += kTick) {
-    o.odometry_now = at;
+    o.estimate.odometry_now = at;
     const Eigen::Vector2d v = search.velocity_H_m_s(o);
     EXPECT_TRUE(v.allFinite());
     if (flown.first_move_s < 0.0 && v.norm() > 0.0) flown.first_move_s = seconds(o.now - kBegan);
@@ -99,7 +99,7 @@ TEST(Search, KeepsToItsSpeedItsPlaceAndItsTime) {
 TEST(Search, GivesUpAPlaceThatItDoesNotReach) {
   Search search(line_seen_from(0.1), 0, kBegan);
   Observation o;
-  o.odometry_now.translation_m << 5.0, 0.0;  // held there by the wind
+  o.estimate.odometry_now.translation_m << 5.0, 0.0;  // held there by the wind
   int ticks = 0;
   for (o.now = kBegan; !search.is_over(o.now); o.now += kTick, ++ticks) {
     ASSERT_LT(ticks, 1000);

@@ -69,7 +69,7 @@ TEST(NearReading, WhereTheLineIsPursuedNothingButTheDiscCounts) {
   step.pursued = true;
   step.expected.code = features::JunctionCode::start;
   Observation o;
-  o.capture_height_m = 1.0;
+  o.estimate.capture_height_m = 1.0;
   o.features.code.smoothed = features::JunctionCode::corner_left;
   o.features.code.line_ends_ahead = true;
   EXPECT_EQ(near_reading(o, &step).smoothed, features::JunctionCode::straight);

@@ -11,8 +11,8 @@ using features::radians;
 /// A frame taken at a heading, now passed by `since_rad`, that shows a line at an angle.
 Observation view(double yaw_rad, double line_angle_rad, double since_rad = 0.0) {
   Observation o;
-  o.odometry_at_capture.yaw_rad = yaw_rad;
-  o.odometry_now.yaw_rad = yaw_rad + since_rad;
+  o.estimate.odometry_at_capture.yaw_rad = yaw_rad;
+  o.estimate.odometry_now.yaw_rad = yaw_rad + since_rad;
   features::LineFeature line;
   line.theta_rad = line_angle_rad;
   o.features.lines.push_back(line);

@@ -42,7 +42,7 @@ TEST(CarrotLaw, HoldsTheSpeed) {
   CarrotLaw law({});
   Observation slow = forward_line(0.0);
   const double trim = attitude(law, slow).pitch_rad;
-  slow.v_H_m_s.x() -= 0.05;
+  slow.estimate.v_H_m_s.x() -= 0.05;
   EXPECT_NEAR(attitude(law, slow).pitch_rad, trim + 0.1 * 0.05, 1e-12);
 }
 

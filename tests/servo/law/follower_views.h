@@ -22,8 +22,8 @@ inline features::LevelPoint at_px(double x, double y) {
 inline Observation empty_view(features::JunctionCode code = features::JunctionCode::straight) {
   Observation o;
   o.features.code.smoothed = code;
-  o.height_m = o.capture_height_m = kFollowerGoal.height_m;
-  o.v_H_m_s.x() = kFollowerGoal.speed_m_s;
+  o.estimate.height_m = o.estimate.capture_height_m = kFollowerGoal.height_m;
+  o.estimate.v_H_m_s.x() = kFollowerGoal.speed_m_s;
   return o;
 }
 

@@ -74,7 +74,7 @@ TEST(GridLaw, TheImaginaryLineLeads) {
   GridLaw law({});
   Observation o = view({vertical(0.0)});
   EXPECT_NEAR(attitude(law, o).pitch_rad, 0.0038, 1e-12);
-  o.v_H_m_s.x() = 0.06;
+  o.estimate.v_H_m_s.x() = 0.06;
   EXPECT_NEAR(attitude(law, o).pitch_rad, 0.0038 + 0.125 * 0.04, 1e-12);
 }
 

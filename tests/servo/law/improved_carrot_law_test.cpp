@@ -22,7 +22,7 @@ Observation turned_line(double left_deg) {
   const double a = features::radians(left_deg);
   const double x = -200.0 * std::sin(a), y = -200.0 * std::cos(a);
   Observation o = boundary_view(at_px(-x, -y), at_px(x, y));
-  o.v_H_m_s.x() = kPublished.speed_m_s;
+  o.estimate.v_H_m_s.x() = kPublished.speed_m_s;
   return o;
 }
 
@@ -67,9 +67,9 @@ TEST(ImprovedCarrotLaw, TurnsAndRollsTowardsTheLine) {
 TEST(ImprovedCarrotLaw, HoldsTheSpeedOfTheTurn) {
   ImprovedCarrotLaw law({});
   Observation o = turned_line(10.0);
-  o.v_H_m_s.x() = 0.635386 * 0.46;
+  o.estimate.v_H_m_s.x() = 0.635386 * 0.46;
   EXPECT_NEAR(degrees(attitude(law, o, kPublished).pitch_rad), 0.635386, 1e-4);
-  o.v_H_m_s.x() += 0.1;
+  o.estimate.v_H_m_s.x() += 0.1;
   EXPECT_NEAR(attitude(law, o, kPublished).pitch_rad, features::radians(0.635386) - 0.01, 1e-5);
 }
 

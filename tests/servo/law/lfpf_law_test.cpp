@@ -57,8 +57,8 @@ TEST(LfpfLaw, HoldsTheSpeed) {
   LfpfLaw law({});
   Observation slow = forward_line(0.0), fast = forward_line(0.0);
   const double trim = attitude(law, forward_line(0.0)).pitch_rad;
-  slow.v_H_m_s.x() = 0.05;
-  fast.v_H_m_s.x() = 0.15;
+  slow.estimate.v_H_m_s.x() = 0.05;
+  fast.estimate.v_H_m_s.x() = 0.15;
   EXPECT_NEAR(attitude(law, slow).pitch_rad, trim + 0.1 * 0.05, 1e-12);
   EXPECT_NEAR(attitude(law, fast).pitch_rad, trim - 0.1 * 0.05, 1e-12);
 }
@@ -111,7 +111,7 @@ TEST(LfpfLaw, WithoutAVelocityEstimateItKeepsThePublishedPitch) {
   LfpfLaw law({});
   Observation o = forward_line(0.0);
   const double trim = attitude(law, o).pitch_rad;
-  o.v_H_m_s.x() = std::nan("");
+  o.estimate.v_H_m_s.x() = std::nan("");
   EXPECT_NEAR(attitude(law, o).pitch_rad, trim, 1e-12);
 }
 

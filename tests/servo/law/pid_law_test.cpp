@@ -17,7 +17,7 @@ Observation seen(double centroid_px, JunctionCode smoothed = JunctionCode::strai
   Observation o;
   o.features.centroid_px = features::PixelPoint{centroid_px, 200.0};
   o.features.code.smoothed = smoothed;
-  o.height_m = 0.5;
+  o.estimate.height_m = 0.5;
   return o;
 }
 
@@ -89,7 +89,7 @@ TEST(PidLaw, ActsOnPlainLineOnly) {
 TEST(PidLaw, WithoutALineItStaysSidewaysAtRest) {
   PidLaw law({});
   Observation nothing;
-  nothing.height_m = 0.5;
+  nothing.estimate.height_m = 0.5;
   EXPECT_EQ(follow(law, nothing).left_m_s, 0.0);
 }
 
@@ -97,7 +97,7 @@ TEST(PidLaw, WithoutALineItStaysSidewaysAtRest) {
 double yaw_on_a_curve(double centroid_px, const PidOptions& options = {}, double height_m = 0.5) {
   PidLaw law(options);
   Observation o = seen(centroid_px, JunctionCode::unrecognised);
-  o.height_m = height_m;
+  o.estimate.height_m = height_m;
   law.follow(o, {0.1, 0.5, true});
   o.captured += std::chrono::seconds(1);
   return std::get<VelocityCommand>(law.follow(o, {0.1, 0.5, true})).yaw_rate_rad_s;
@@ -128,8 +128,8 @@ TEST(PidLaw, AFrameThatComesTwiceTurnsNothing) {
 TEST(PidLaw, HoldsTheHeight) {
   PidLaw law({});
   Observation low = seen(200.0), high = seen(200.0);
-  low.height_m = 0.4;
-  high.height_m = 0.6;
+  low.estimate.height_m = 0.4;
+  high.estimate.height_m = 0.6;
   EXPECT_GT(follow(law, low).up_m_s, 0.0);
   EXPECT_LT(follow(law, high).up_m_s, 0.0);
 }

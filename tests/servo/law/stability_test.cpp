@@ -79,9 +79,9 @@ class LawInTheLoop {
     o.captured = at(step_ - p_.delay_steps);
     o.features.lines.resize(1);
     o.features.lines[0].rho = offsets_.back() / kHeight_m;
-    o.height_m = o.capture_height_m = kHeight_m;
-    o.odometry_now.translation_m.y() = offsets_.front();
-    o.odometry_at_capture.translation_m.y() = offsets_[static_cast<std::size_t>(p_.delay_steps)];
+    o.estimate.height_m = o.estimate.capture_height_m = kHeight_m;
+    o.estimate.odometry_now.translation_m.y() = offsets_.front();
+    o.estimate.odometry_at_capture.translation_m.y() = offsets_[static_cast<std::size_t>(p_.delay_steps)];
     const double command = std::get<VelocityCommand>(law_.follow(o, {0.1, kHeight_m})).left_m_s;
     for (int k = 0; k < p_.frame_steps; ++k) vehicle_step(command);
   }

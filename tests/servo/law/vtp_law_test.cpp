@@ -16,7 +16,7 @@ Observation seen(int millisecond, double forward, double left) {
   Observation o;
   o.now = o.captured = std::chrono::milliseconds(millisecond);
   o.features.law.target = features::LevelPoint{-left, -forward};
-  o.height_m = o.capture_height_m = 0.5;
+  o.estimate.height_m = o.estimate.capture_height_m = 0.5;
   return o;
 }
 
@@ -98,7 +98,7 @@ TEST(VtpLaw, WithoutATargetItStaysAndHoldsTheHeight) {
   VtpLaw law({});
   follow(law, seen(0, 1.0, 0.2));
   for (Observation o : {unseen(200), seen(400, kNaN, 0.0), seen(600, 0.0, 0.0)}) {
-    o.height_m = 0.4;
+    o.estimate.height_m = 0.4;
     const VelocityCommand c = follow(law, o);
     EXPECT_EQ(c.forward_m_s, 0.0);
     EXPECT_EQ(c.left_m_s, 0.0);
