@@ -73,7 +73,7 @@ bool is_among(const std::vector<ImageLine>& lines, const ImageLine& line) {
     const double apart =
         std::abs(x * std::cos(other.theta_rad) + y * std::sin(other.theta_rad) - other.rho_px);
     return apart < other.width_px + line.width_px &&
-           std::abs(std::remainder(other.theta_rad - line.theta_rad, kPi)) < radians(15.0);
+           axis_difference(other.theta_rad, line.theta_rad) < radians(15.0);
   });
 }
 

@@ -20,4 +20,9 @@ inline double wrap_angle(double angle_rad) {
   return wrapped <= -kPi ? wrapped + 2.0 * kPi : wrapped;
 }
 
+/// Between two lines without a direction, in [0, π/2].
+inline double axis_difference(double a_rad, double b_rad) {
+  return std::abs(std::remainder(a_rad - b_rad, kPi));
+}
+
 }  // namespace lineservo::features

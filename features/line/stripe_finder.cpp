@@ -8,6 +8,7 @@
 
 #include "features/geometry/angles.h"
 #include "features/line/side_paint.h"
+#include "features/line/stripe_choice.h"
 #include "features/line/stripe_extent.h"
 
 namespace lineservo::features {
@@ -17,7 +18,6 @@ constexpr int kRounds = 10;           // directions tried in each pass
 constexpr double kPeakLength = 0.06;  // of border, for an offset to count
 constexpr double kNear = 0.03;        // of a border: three bins of the vote
 constexpr double kOwn = 0.02;         // of a fitted border: its points
-constexpr double kBesideEnd = 0.05;   // the cap of a dead end lies so near to the end
 constexpr double kFacing = 0.966;     // of the angle that follows
 constexpr double kFacing_rad = radians(15.0);
 constexpr double kBeside = 0.015;               // a stripe: what is still taken for its paint
@@ -27,13 +27,7 @@ constexpr double kArmTurn_rad = radians(12.0);  // of an arm from square, as its
 constexpr double kArmSigma = 0.03, kArmSigma_rad = 0.1;  // of an arm whose borders say nothing
 constexpr double kUnhinted = 0.5;      // border length for a stripe whose width nobody knows
 constexpr double kGuessQuality = 0.3;  // factor when the width is a guess
-constexpr double kSameDirection_rad = radians(20.0);
 constexpr double kTried_rad = radians(5.0);
-constexpr double kOffsetWeight_rad = 0.1;  // one unit of offset counts as so much of direction
-
-double axis_difference(double a_rad, double b_rad) {
-  return std::abs(std::remainder(a_rad - b_rad, kPi));
-}
 
 void require(bool holds, const char* fault) {
   if (!holds) throw std::invalid_argument(std::string("stripe options: ") + fault);
@@ -60,13 +54,14 @@ void StripeFinder::find(const LevelMask& mask, const std::vector<BorderPoint>& p
   stripes.clear();
   border_.assign(points);
   search(prior);
-  if (drop_wear()) {  // it may have misled what was found after it, and has taken points of what was not
+  if (drop_wear(
+          *stripes_)) {  // it may have misled what was found after it, and has taken points of what was not
     border_.assign(points);
     for (const Stripe& stripe : *stripes_) spend_points_of(stripe);
     search(prior);
-    drop_wear();
+    drop_wear(*stripes_);
   }
-  rank(prior);
+  rank(*stripes_, prior, options_.carries_on);
 }
 
 void StripeFinder::search(const std::optional<StripePrior>& prior) {
@@ -117,7 +112,7 @@ void StripeFinder::take_arm(const Stripe& stripe, const SidePaint& paint) {
   if (agrees) fit = *fitted;
   const Eigen::Vector2d inside = axes.at(paint.along, paint.side * paint.away);
   const Stripe arm = measured(fit, false, StripeAxes(fit.course).along(inside));
-  if (repeats(arm) || arm.end.along - arm.begin.along < kLeastArm) return;
+  if (is_paint_of(*stripes_, arm) || arm.end.along - arm.begin.along < kLeastArm) return;
   stripes_->push_back(arm);
   spend_points_of(arm);
 }
@@ -183,7 +178,7 @@ bool StripeFinder::accept(const StripeCourse& start, WidthIs width, bool both_bo
                    : !has_border(fit->course, range, -side))
     return false;
   const Stripe stripe = measured(*fit, both_borders, range.middle());
-  if (!is_acceptable(stripe) || repeats(stripe)) return false;
+  if (!is_acceptable(stripe) || is_paint_of(*stripes_, stripe)) return false;
   stripes_->push_back(stripe);
   spend_points_of(stripe);
   return true;
@@ -194,17 +189,6 @@ bool StripeFinder::is_acceptable(const Stripe& stripe) const {
   if (stripe.feature.quality < options_.min_quality) return false;
   if (stripe.begin.leaves_view && stripe.end.leaves_view) return true;
   return stripe.end.along - stripe.begin.along >= 1.1 * stripe.course.width;
-}
-
-// The same paint seen at nearly the same angle: what is left over of a bent or ragged stripe.
-bool StripeFinder::repeats(const Stripe& stripe) const {
-  const Eigen::Vector2d middle =
-      StripeAxes(stripe.course).at(0.5 * (stripe.begin.along + stripe.end.along), 0.0);
-  return std::any_of(stripes_->begin(), stripes_->end(), [&](const Stripe& other) {
-    if (axis_difference(stripe.course.theta_rad, other.course.theta_rad) > kSameDirection_rad) return false;
-    const double apart = std::abs(middle.dot(other.course.normal()) - other.course.rho);
-    return apart < 0.5 * (stripe.course.width + other.course.width);
-  });
 }
 
 bool StripeFinder::has_border(const StripeCourse& course, const Support& range, double side) {
@@ -324,49 +308,6 @@ Stripe StripeFinder::measured(const StripeFit& fit, bool both_borders, double mi
   feature.begin = point(stripe.begin.along);
   feature.end = point(stripe.end.along);
   return stripe;
-}
-
-// Between a gap and a blotch, or at a cap, worn paint shows pieces that start and end inside a longer stripe.
-// A piece that leaves the view beside that stripe goes on: it is a side arm of which little is in view.
-bool StripeFinder::drop_wear() {
-  const auto length = [](const Stripe& s) { return s.end.along - s.begin.along; };
-  const auto inside = [&length](const Stripe& piece, const Stripe& whole) {
-    if (length(piece) >= length(whole)) return false;
-    const StripeAxes axes(whole.course);
-    const auto within = [&](const LevelPoint& p, bool leaves_view) {
-      const double margin = leaves_view ? kBesideEnd : std::max(kBesideEnd, 0.2 * whole.course.width);
-      const double along = axes.along(p.vector());
-      return std::abs(axes.across(p.vector())) < 0.5 * whole.course.width + margin &&
-             along > whole.begin.along - kBesideEnd && along < whole.end.along + kBesideEnd;
-    };
-    return within(piece.feature.begin, piece.begin.leaves_view) &&
-           within(piece.feature.end, piece.end.leaves_view);
-  };
-  const std::size_t found = stripes_->size();
-  for (auto piece = stripes_->begin(); piece != stripes_->end();) {
-    const bool is_wear = std::any_of(stripes_->begin(), stripes_->end(),
-                                     [&](const Stripe& whole) { return inside(*piece, whole); });
-    piece = is_wear ? stripes_->erase(piece) : piece + 1;
-  }
-  return stripes_->size() < found;
-}
-
-void StripeFinder::rank(const std::optional<StripePrior>& prior) {
-  const StripePrior expected = prior.value_or(StripePrior{});
-  const auto carries_on = [this](const Stripe& s) {
-    return s.end.along - s.begin.along >= options_.carries_on;
-  };
-  const auto cost = [&expected](const Stripe& s) {
-    const double turn = wrap_angle(s.course.theta_rad - expected.theta_rad);
-    const bool mirrored = std::abs(turn) > kPi / 2.0;
-    const double rho = mirrored ? -s.course.rho : s.course.rho;
-    return axis_difference(s.course.theta_rad, expected.theta_rad) +
-           kOffsetWeight_rad * std::abs(rho - expected.rho);
-  };
-  std::stable_sort(stripes_->begin(), stripes_->end(), [&](const Stripe& a, const Stripe& b) {
-    if (carries_on(a) != carries_on(b)) return carries_on(a);
-    return cost(a) < cost(b);
-  });
 }
 
 }  // namespace lineservo::features

@@ -61,7 +61,6 @@ class StripeFinder {
   bool has_border(const StripeCourse& course, const Support& range, double side);
   bool is_on_stripe(const Eigen::Vector2d& p_L) const;
   bool is_acceptable(const Stripe& stripe) const;
-  bool repeats(const Stripe& stripe) const;
   bool only_one_border_in_view(const StripeCourse& course, double side) const;
   void spend_points_of(const Stripe& stripe);
   void defer_direction(double theta_rad);
@@ -70,8 +69,6 @@ class StripeFinder {
   double depth_in_view(const StripeCourse& border, double side) const;
   double known_width(const std::optional<StripePrior>& prior) const;
   Stripe measured(const StripeFit& fit, bool both_borders, double middle) const;
-  bool drop_wear();
-  void rank(const std::optional<StripePrior>& prior);
 
   StripeOptions options_;
   // Of the frame in hand:

@@ -13,7 +13,7 @@ constexpr double kBeside = 0.05;  // of a stripe's border, normalised units
 
 // Both in direction and where the stripe is in view: on it or on its border.
 bool runs_along(const LineFeature& line, const LineFeature& stripe) {
-  if (std::abs(std::remainder(line.theta_rad - stripe.theta_rad, kPi)) > kAlong_rad) return false;
+  if (axis_difference(line.theta_rad, stripe.theta_rad) > kAlong_rad) return false;
   const Eigen::Vector2d middle = 0.5 * (stripe.begin.vector() + stripe.end.vector());
   const Eigen::Vector2d normal(std::cos(line.theta_rad), std::sin(line.theta_rad));
   return std::abs(middle.dot(normal) - line.rho) < 0.5 * stripe.width + kBeside;

@@ -17,7 +17,7 @@ constexpr double kNewLine_rad = features::radians(25.0);
 const LineFeature* nearest_line(const std::vector<LineFeature>& lines, double theta_rad, double bound_rad) {
   const LineFeature* best = nullptr;
   for (const LineFeature& line : lines) {
-    const double off_rad = std::abs(std::remainder(line.theta_rad - theta_rad, features::kPi));
+    const double off_rad = features::axis_difference(line.theta_rad, theta_rad);
     if (off_rad < bound_rad) {
       bound_rad = off_rad;
       best = &line;
