@@ -20,6 +20,9 @@ class ReportCommandTest : public ProgramTest {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(path("flight") / name) << text;
   }
+  std::string text_of_report() const {
+    return fs::exists(path("flight/report.html")) ? read_text(path("flight/report.html")) : "";
+  }
 };
 
 /// The data of a report but for the names of the user's files and the timings.
@@ -46,12 +49,42 @@ TEST_F(ReportCommandTest, AFlightThatIsNotThatOfTheFolderIsNoneOfIt) {
   auto summary = nlohmann::json::parse(read_text(path("flight/summary.json")));
   summary["trajectory_sha256"] = "0";
   write("summary.json", summary.dump());
-  const std::string report =
-      fs::exists(path("flight/report.html")) ? read_text(path("flight/report.html")) : "";
+  const std::string report = text_of_report();
   const Ran ran = run({"report", path("flight")});
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_THAT(ran.err, HasSubstr("flies otherwise"));
-  EXPECT_EQ(fs::exists(path("flight/report.html")) ? read_text(path("flight/report.html")) : "", report);
+  EXPECT_EQ(text_of_report(), report);
+}
+
+// Nodes of other names are flown to in the same way to the last bit, and the report's map is another.
+TEST_F(ReportCommandTest, AFloorThatIsNotThatOfTheFlightIsNamed) {
+  const std::string report = text_of_report();
+  write("layout.yaml",
+        "name: short\n"
+        "nodes: [{name: o, x_m: 0, y_m: 0}, {name: q, x_m: 1.2, y_m: 0}]\n"
+        "edges: [{from: o, to: q, width_m: 0.1}]\n"
+        "start: {node: o}\n");
+  const Ran ran = run({"report", path("flight")});
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_EQ(ran.err, "lineservo: " + path("flight").string() +
+                         ": summary.json is not of the flight of config.yaml: legs/0/from is \"p\", "
+                         "flown again \"o\"\n");
+  EXPECT_EQ(text_of_report(), report);
+}
+
+TEST_F(ReportCommandTest, ASummaryThatWasChangedIsNamed) {
+  auto summary = nlohmann::json::parse(read_text(path("flight/summary.json")));
+  summary["legs"][0]["rmse_m"] = 0.25;
+  summary["timing"]["wall_s"] = 77.0;  // which is other each time
+  write("summary.json", summary.dump());
+  const Ran ran = run({"report", path("flight")});
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_THAT(ran.err, HasSubstr("summary.json is not of the flight of config.yaml: legs/0/rmse_m is 0.25, "
+                                 "flown again 0."));
+  summary["legs"][0]["rmse_m"] = nullptr;
+  summary["layout"] = "warehouse";
+  write("summary.json", summary.dump());
+  EXPECT_EQ(run({"report", path("flight")}).exit_code, 1);
 }
 
 TEST_F(ReportCommandTest, RefusesWhatIsNoFolderOfAFlight) {
