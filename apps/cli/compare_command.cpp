@@ -18,6 +18,7 @@
 #include "apps/output/json_text.h"
 #include "apps/output/report_file.h"
 #include "apps/output/result_folder.h"
+#include "apps/output/result_kind.h"
 #include "apps/report/comparison_data.h"
 #include "servo/law/controllers.h"
 
@@ -96,7 +97,10 @@ int compare(const Arguments& arguments) {
   const ComparisonOptions options = options_of(arguments);
   Comparison comparison(options);
   std::optional<ResultFolder> folder;
-  if (arguments.out) folder.emplace(*arguments.out, kResults);
+  if (arguments.out) {
+    refuse_other_kinds(*arguments.out, ResultKind::comparison, "--out");
+    folder.emplace(*arguments.out, kResults);
+  }
 
   watch_for_interrupt();
   StudyProgress progress("compare", "flights");

@@ -18,6 +18,7 @@
 #include "apps/output/flight_summary.h"
 #include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
+#include "apps/output/result_kind.h"
 #include "apps/recording/recorder.h"
 
 namespace lineservo::apps {
@@ -86,6 +87,7 @@ int fly(const FlyArguments& arguments) {
   std::optional<ResultFolder> folder;
   if (arguments.out) {
     keep_what_is_no_flights(*arguments.out, own);
+    refuse_other_kinds(*arguments.out, ResultKind::flight, "--out");
     folder.emplace(*arguments.out, flight_files());
   }
   std::optional<Recorder> recorder;

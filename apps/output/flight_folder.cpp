@@ -42,6 +42,25 @@ std::optional<OwnFiles::Image> own_bitmap(const std::string& layout) {
   return OwnFiles::Image{file->filename(), read_bytes(*file)};
 }
 
+/// The bitmap of the floor of the flight whose results are there.
+std::optional<std::string> earlier_bitmap(const fs::path& folder) try {
+  const fs::path layout = folder / "layout.yaml";
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "summary.json", error) || !fs::is_regular_file(layout, error))
+    return std::nullopt;
+  const auto file = bitmap_file(layout);
+  return file ? std::optional(file->filename().string()) : std::nullopt;
+} catch (const InputError&) {  // a layout that was changed since, and names none that can be told
+  return std::nullopt;
+}
+
+/// Writes the bitmap of a floor of the user's own; that of the earlier flight's floor goes.
+void keep_bitmap(ResultFolder& folder, const std::optional<OwnFiles::Image>& bitmap) {
+  const std::optional<std::string> earlier = earlier_bitmap(folder.path());
+  if (earlier && (!bitmap || bitmap->name != *earlier)) folder.leave_out(*earlier);
+  if (bitmap) folder.write(bitmap->name, bitmap->bytes);
+}
+
 }  // namespace
 
 const std::vector<std::string>& flight_files() {
@@ -85,7 +104,7 @@ void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& 
   FlightRequest kept = mission.request;
   keep(folder, "mission.yaml", own.mission, kept.instruction);
   keep(folder, "layout.yaml", own.layout, kept.layout);
-  if (own.bitmap) folder.write(own.bitmap->name, own.bitmap->bytes);
+  keep_bitmap(folder, own.bitmap);
   keep(folder, "conditions.yaml", own.conditions, kept.conditions);
   folder.write("flight.csv", flight_csv(record));
   folder.write("events.csv", events_csv(record));

@@ -19,8 +19,10 @@ class ResultFolder {
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 
-  /// Throws InputError unless the name is free or a file's, which may be replaced: a device or a folder may
-  /// not.
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// Throws InputError unless the name is free or a file's, which may be replaced: a device, a folder or a
+  /// link may not.
   void check(const std::string& name) const;
   /// Writes a file aside. Throws InputError (disk full, no permission, a name that is not free).
   void write(const std::string& name, const std::string& content);

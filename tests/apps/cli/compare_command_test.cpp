@@ -45,6 +45,28 @@ TEST_F(CompareCommandTest, ComparesAndWritesItsThreeFiles) {
   EXPECT_GT(fs::file_size(path("out/distribution.csv")), 0u);
 }
 
+// report.html and config.yaml of the one would lie beside the figures of the other.
+TEST_F(CompareCommandTest, AFolderHoldsAFlightOrAComparison) {
+  const std::string floor = short_flight()[3], flight = path("flight"), comparison = path("comparison");
+  const std::vector<std::string> compare = {
+      "compare",       "--instructions", "node:q", "--layout", floor,      "--conditions", "ideal",
+      "--controllers", "ibvs",           "--runs", "1",        "--tuning", "published",    "--out"};
+  const auto compare_into = [&compare](const std::string& folder) {
+    std::vector<std::string> arguments = compare;
+    arguments.push_back(folder);
+    return arguments;
+  };
+  ASSERT_EQ(run(short_flight({"--out", flight})).exit_code, 0);
+  ASSERT_EQ(run(compare_into(comparison)).exit_code, 0);
+  EXPECT_THAT(refusal(compare_into(flight)),
+              HasSubstr("flight: holds the results of a flight (summary.json); allowed: a folder without "
+                        "results, or with those of a comparison"));
+  EXPECT_THAT(refusal(short_flight({"--out", comparison})),
+              HasSubstr("comparison: holds the results of a comparison (comparison.json)"));
+  EXPECT_EQ(run(short_flight({"--out", flight})).exit_code, 0);
+  EXPECT_EQ(run(compare_into(comparison)).exit_code, 0);
+}
+
 TEST_F(CompareCommandTest, RefusesASettingThatItsOwnOptionsSet) {
   const std::string set = "speed_m_s=0.5";
   const auto say = AllOf(HasSubstr("--set speed_m_s"), HasSubstr("--speeds"), HasSubstr("--preset"));

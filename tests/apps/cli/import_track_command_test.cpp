@@ -64,6 +64,9 @@ TEST_F(ImportTrackCommandTest, APictureOfAFloorIsFlownOn) {
   EXPECT_NEAR(summary["target"]["y_m"], 1.7, 0.02);
   EXPECT_TRUE(fs::exists(path("flown/tee.ppm"))) << "the folder flies again by itself";
   fs::remove_all(path("floor"));
+  fs::copy(path("flown"), path("flown-on"), fs::copy_options::recursive);
+  ASSERT_EQ(run(short_flight({"--out", path("flown-on")})).exit_code, 0);
+  EXPECT_FALSE(fs::exists(path("flown-on/tee.ppm"))) << "another floor, without a bitmap";
   const Ran again = run({"fly", "--config", path("flown/config.yaml"), "--json"});
   EXPECT_EQ(nlohmann::json::parse(again.out)["trajectory_sha256"], summary["trajectory_sha256"]) << again.err;
 }
