@@ -80,8 +80,10 @@ ComparisonOptions options_of(const Arguments& a) {
 }
 
 void write_results(ResultFolder& folder, const ComparisonResult& result, const std::string& json) {
-  folder.write("comparison.csv", comparison_csv(result));
-  folder.write("distribution.csv", distribution_csv(result));
+  const std::string csv = comparison_csv(result), distribution = distribution_csv(result);
+  watch_for_interrupt();  // the files, once begun, are written whole
+  folder.write("comparison.csv", csv);
+  folder.write("distribution.csv", distribution);
   write_report(folder, "Comparison · lineservo", [&] { return comparison_data(result); });
   folder.write("comparison.json", json);
   folder.publish();
@@ -95,6 +97,7 @@ std::string text_of(const Arguments& a, const ComparisonResult& result) {
 
 int compare(const Arguments& arguments) {
   const ComparisonOptions options = options_of(arguments);
+  end_on_interrupt("compare");
   Comparison comparison(options);
   std::optional<ResultFolder> folder;
   if (arguments.out) {
@@ -115,10 +118,12 @@ int compare(const Arguments& arguments) {
                flown, comparison.flights());
     return kFailed;
   }
+  end_on_interrupt("compare");
   const ComparisonResult result{options, arguments.preset.value_or(""), std::move(*contestants)};
   const std::string json = json_text(comparison_json(result), 2);
+  const std::string text = arguments.json ? json : text_of(arguments, result);
   if (folder) write_results(*folder, result, json);
-  fmt::print("{}", arguments.json ? json : text_of(arguments, result));
+  fmt::print("{}", text);
   return kDone;
 }
 

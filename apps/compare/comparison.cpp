@@ -122,6 +122,25 @@ void check_seeds(const ComparisonOptions& options) {
                                options.seed, options.runs, kLast, highest));
 }
 
+void check_count(const std::vector<Entry>& entries, const ComparisonOptions& options) {
+  std::size_t of_each_run = 0;
+  for (const Entry& entry : entries) of_each_run += entry.instructions.size();
+  const auto runs = static_cast<std::size_t>(options.runs);
+  if (runs * of_each_run <= kMostFlights) return;
+  throw InputError(
+      fmt::format("--runs {}: makes {} flights, {} for each run; at most {} are allowed: --runs {}", runs,
+                  runs * of_each_run, of_each_run, kMostFlights, kMostFlights / of_each_run));
+}
+
+/// What the flight's own command draws.
+Settings drawn_settings(const Entry& common, std::uint64_t seed, const ComparisonOptions& options) {
+  Entry entry = common;
+  entry.request = FlightRequest{};  // the entry's own was drawn already, for another seed
+  entry.request.seed = seed;
+  complete(entry, options);
+  return entry.request.settings;
+}
+
 }  // namespace
 
 std::vector<Block> on_floors_of_zones(const Block& block) {
@@ -148,6 +167,7 @@ std::vector<Entry> entries_of(const ComparisonOptions& options) {
   for (const Block& block : options.blocks) refuse_overruled(block, options);
   std::vector<Entry> entries;
   for (const Block& block : options.blocks) add_block(entries, block, options);
+  check_count(entries, options);
   const std::string reference = reference_of(options);
   if (std::none_of(entries.begin(), entries.end(),
                    [&](const Entry& e) { return e.controller == reference; })) {
@@ -169,23 +189,14 @@ void Comparison::add_flights(Contestant& contestant, const std::string& instruct
   FlightRequest request = contestant.entry.request;
   request.instruction = instruction;
   missions_.push_back(prepare(request));
+  const bool draws = conditions_range(options.conditions).has_value();
   for (int run = 0; run < options.runs; ++run) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(run);
-    if (conditions_range(options.conditions)) draw_mission(contestant.entry, seed, options);
-    tasks_.push_back({&missions_.back(), seed, run == 0 ? &traces_.emplace_back() : nullptr});
+    const Settings* own =
+        draws ? &drawn_.emplace_back(drawn_settings(contestant.entry, seed, options)) : nullptr;
+    tasks_.push_back({&missions_.back(), seed, own, run == 0 ? &traces_.emplace_back() : nullptr});
     contestant.flights.push_back({instruction, seed, fly_again(contestant.entry, instruction, seed), {}});
   }
-}
-
-// The mission before with conditions of its own.
-void Comparison::draw_mission(const Entry& common, std::uint64_t seed, const ComparisonOptions& options) {
-  Entry entry = common;
-  entry.request = FlightRequest{};  // the entry's own was drawn already, for another seed
-  entry.request.seed = seed;
-  complete(entry, options);
-  Mission mission = missions_.back();
-  mission.request.settings = entry.request.settings;
-  missions_.push_back(std::move(mission));
 }
 
 std::optional<std::vector<Contestant>> Comparison::fly(int jobs,

@@ -79,7 +79,11 @@ struct Contestant {
   std::vector<ComparedFlight> flights;
 };
 
-/// The rows that the options ask for, each ready to fly. Throws InputError or std::invalid_argument.
+/// What the memory of a small machine holds, and days of flying.
+inline constexpr std::size_t kMostFlights = 100'000;
+
+/// The rows that the options ask for, each ready to fly. Throws InputError or std::invalid_argument; also for
+/// more than kMostFlights.
 std::vector<Entry> entries_of(const ComparisonOptions& options);
 
 /// A comparison made ready: every target is checked before the first flight.
@@ -95,10 +99,10 @@ class Comparison {
 
  private:
   void add_flights(Contestant& contestant, const std::string& instruction, const ComparisonOptions& options);
-  void draw_mission(const Entry& common, std::uint64_t seed, const ComparisonOptions& options);
 
   std::vector<Contestant> contestants_;
-  std::deque<Mission> missions_;  ///< of every contestant and instruction, or flight; without the seed
+  std::deque<Mission> missions_;  ///< of every contestant and instruction, without the seed
+  std::deque<Settings> drawn_;    ///< of every flight, where each has its own
   std::deque<FlightTrace> traces_;
   std::vector<FlightTask> tasks_;  ///< in the order of the contestants' flights
 };

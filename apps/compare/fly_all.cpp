@@ -15,6 +15,7 @@ std::optional<std::vector<FlightSummary>> fly_all(const std::vector<FlightTask>&
   const auto fly = [&](std::size_t i) {
     Mission mission = *tasks[i].mission;
     mission.request.seed = tasks[i].seed;
+    if (tasks[i].settings) mission.request.settings = *tasks[i].settings;
     FlownMission flown = fly_mission(mission, [&](const FlightProgress&) { return !broken_off; });
     if (tasks[i].trace) *tasks[i].trace = trace_of(mission, flown);
     summaries[i] = std::move(flown.summary);

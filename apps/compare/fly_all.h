@@ -14,7 +14,8 @@ namespace lineservo::apps {
 struct FlightTask {
   const Mission* mission;
   std::uint64_t seed;
-  FlightTrace* trace = nullptr;  ///< where to keep what draws the flight; null: nowhere
+  const Settings* settings = nullptr;  ///< in the place of the mission's; null: those
+  FlightTrace* trace = nullptr;        ///< where to keep what draws the flight; null: nowhere
 };
 
 /// Flies all of them on so many threads; the summaries are in the order of the tasks and, but for the

@@ -67,6 +67,24 @@ TEST_F(CompareCommandTest, AFolderHoldsAFlightOrAComparison) {
   EXPECT_EQ(run(compare_into(comparison)).exit_code, 0);
 }
 
+TEST_F(CompareCommandTest, RefusesMoreFlightsThanCanBeHeld) {
+  EXPECT_THAT(refusal({"compare", "--runs", "1000000", "--controllers", "ibvs", "--tuning", "published"}),
+              HasSubstr("--runs 1000000: makes 4000000 flights, 4 for each run; at most 100000 are allowed: "
+                        "--runs 25000"));
+}
+
+// At whatever point it is.
+TEST_F(CompareCommandTest, EndsAtOnceOnCtrlC) {
+  const std::string out = path("out");
+  const auto asked = [] { return true; };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Ran ran = run_and_interrupt(
+        {"compare", "--conditions", "paper..harsh", "--runs", "2000", "--out", out}, asked, signal);
+    EXPECT_TRUE(ran.exit_code == 1 || ran.exit_code == 128 + signal) << ran.exit_code << ran.err;
+    EXPECT_TRUE(!fs::exists(out) || fs::is_empty(out));
+  }
+}
+
 TEST_F(CompareCommandTest, RefusesASettingThatItsOwnOptionsSet) {
   const std::string set = "speed_m_s=0.5";
   const auto say = AllOf(HasSubstr("--set speed_m_s"), HasSubstr("--speeds"), HasSubstr("--preset"));
