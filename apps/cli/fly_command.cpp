@@ -84,16 +84,16 @@ int fly(const FlyArguments& arguments) {
     return kDone;
   }
   const OwnFiles own = own_files(request);
+  watch_for_interrupt();
   std::optional<ResultFolder> folder;
   if (arguments.out) {
-    keep_what_is_no_flights(*arguments.out, own);
     refuse_other_kinds(*arguments.out, ResultKind::flight, "--out");
+    keep_what_is_no_flights(*arguments.out, own);
     folder.emplace(*arguments.out, flight_files());
   }
   std::optional<Recorder> recorder;
   if (arguments.record) recorder.emplace(*folder, recording_of(request));
 
-  watch_for_interrupt();
   ProgressLine line(request.instruction);
   const auto [record, summary] = fly_mission(
       mission,

@@ -17,6 +17,13 @@ void write_last_words() {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, last_words.data(), last_words.size());
 }
 
+/// Ctrl-C, what ends programs, and a terminal that was closed: but for the last where nohup has it ignored.
+void on_interrupt(void (*handler)(int)) {
+  std::signal(SIGINT, handler);
+  std::signal(SIGTERM, handler);
+  if (std::signal(SIGHUP, handler) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
 void set_last_words(const std::string& command) {
   const char* const wipe = ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
   last_words = fmt::format("{}lineservo: {}: interrupted; nothing is written\n", wipe, command);
@@ -25,7 +32,7 @@ void set_last_words(const std::string& command) {
 }  // namespace
 
 void watch_for_interrupt() {
-  std::signal(SIGINT, [](int) { pressed = 1; });
+  on_interrupt([](int) { pressed = 1; });
 }
 
 bool interrupted() {
@@ -34,7 +41,7 @@ bool interrupted() {
 
 void end_on_interrupt(const std::string& command) {
   set_last_words(command);
-  std::signal(SIGINT, [](int) {
+  on_interrupt([](int) {
     write_last_words();
     ::_exit(kFailed);
   });

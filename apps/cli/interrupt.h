@@ -4,6 +4,8 @@
 
 namespace lineservo::apps {
 
+// Ctrl-C stands for SIGTERM and SIGHUP as well, but for a SIGHUP that nohup has ignored.
+
 /// From now on Ctrl-C does not end the program: interrupted() tells.
 void watch_for_interrupt();
 bool interrupted();

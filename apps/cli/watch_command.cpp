@@ -40,12 +40,12 @@ int told(const WatchEnd& end, const WatchFeed& feed) {
 int run_watch(const WatchArguments& arguments) {
   OpenWatch opened = open_watch(arguments.request);
   WatchChains chains(opened.feed->camera(), opened.request.settings, opened.controllers);
+  watch_for_interrupt();
   WatchResults results(arguments.out, arguments.record, arguments.request.source, opened);
   const bool prints = !arguments.out;
   WatchOptions options;
   options.frames = arguments.frames;
   options.goes_on = [] { return !interrupted(); };
-  watch_for_interrupt();
   if (prints) fmt::print("{}", watch_header(opened.controllers));
   const WatchEnd end = watch(*opened.feed, chains, options, [&](const Watched& watched) {
     const std::string row = results.add(watched);

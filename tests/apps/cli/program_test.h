@@ -38,13 +38,14 @@ class ProgramTest : public ::testing::Test {
              const std::vector<std::string>& arguments, rlim_t largest_file) const {
     return ended(start(out, folder, arguments, largest_file), out);
   }
-  /// Ctrl-C once `begun` says so, within 20 s.
-  Ran run_and_interrupt(const std::vector<std::string>& arguments, const std::function<bool()>& begun) const {
+  /// Ctrl-C, or another signal, once `begun` says so, within 20 s.
+  Ran run_and_interrupt(const std::vector<std::string>& arguments, const std::function<bool()>& begun,
+                        int signal = SIGINT) const {
     const std::filesystem::path out = temp_.path() / "stdout";
     const pid_t child = start(out, std::filesystem::current_path(), arguments, 0);
     for (int k = 0; k < 4000 && !begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     EXPECT_TRUE(begun());
-    ::kill(child, SIGINT);
+    ::kill(child, signal);
     return ended(child, out);
   }
   /// Bad input: exit code 2, one line on stderr, nothing on stdout. Returns the line.

@@ -159,8 +159,11 @@ TEST_F(WatchProgram, AFullDiskIsToldAndLeavesNothing) {
   EXPECT_TRUE(fs::is_empty(record));
 }
 
-// Ctrl-C closes the files whole.
-TEST_F(WatchProgram, AnInterruptKeepsWhatWasGot) {
+/// Ctrl-C closes the files whole, and so does whatever else asks the program to end.
+class InterruptedWatch : public WatchProgram, public ::testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(By, InterruptedWatch, ::testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+TEST_P(InterruptedWatch, KeepsWhatWasGot) {
   const std::string out = path("seen.csv"), record = path("kept");
   const auto has_begun = [&] {
     if (!fs::exists(record)) return false;
@@ -168,13 +171,15 @@ TEST_F(WatchProgram, AnInterruptKeepsWhatWasGot) {
       if (entry.path().filename() == "000003.png") return true;
     return false;
   };
-  const Ran ran =
-      run_and_interrupt({"watch", "sim:warehouse/a13", "--out", out, "--record", record}, has_begun);
+  const Ran ran = run_and_interrupt({"watch", "sim:warehouse/a13", "--out", out, "--record", record},
+                                    has_begun, GetParam());
   EXPECT_EQ(ran.exit_code, 1);
   EXPECT_THAT(ran.err, HasSubstr("watch: interrupted after"));
   EXPECT_GT(columns(read_text(out), {"frame"}).size(), 4u);
   const Ran replayed = run({"replay", record});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+  for (const fs::directory_entry& entry : fs::directory_iterator(record))
+    EXPECT_THAT(entry.path().filename().string(), ::testing::Not(HasSubstr(".part-")));
 }
 
 }  // namespace
