@@ -105,6 +105,16 @@ Time patience(const CameraSettings& camera) {
   return vehicle::from_seconds(std::max(0.25, 2.5 / camera.frame_rate_hz));
 }
 
+/// That of the settings for each target, and what the mission itself waits there.
+double time_limit_s(const FlightRequest& request, const servo::Plan& plan) {
+  double limit_s = 0.0;
+  for (const std::size_t index : target_steps(plan)) {
+    const servo::Stop& stop = plan.steps[index].stop;
+    limit_s += request.settings.time_limit_s + stop.hover_s.value_or(0.0) + stop.ground_s;
+  }
+  return limit_s;
+}
+
 std::string_view name(vehicle::AutopilotMode mode) {
   switch (mode) {
     case vehicle::AutopilotMode::idle:
@@ -133,7 +143,7 @@ Flight::Flight(const FlightRequest& request, const vehicle::Layout& floor, const
       gate_(oldest_frame(request.settings.camera), patience(request.settings.camera)),
       chain_(request, plan),
       latency_known_(draw_known_latency(request)),
-      time_limit_s_(request.settings.time_limit_s * static_cast<double>(target_steps(plan).size())) {}
+      time_limit_s_(time_limit_s(request, plan)) {}
 
 FlightRecord Flight::run(const std::function<bool(const FlightProgress&)>& progress) {
   const Clock::time_point begin = Clock::now();

@@ -75,7 +75,7 @@ class Flight {
   servo::Odometry odometry_;
   std::deque<TruthSample> exposures_;  ///< of the frames under way
   vehicle::Time latency_known_;        ///< what the law takes the camera's latency for
-  double time_limit_s_;                ///< that of the settings, for each target
+  double time_limit_s_;                ///< that of the settings and the mission's waits, for each target
   vehicle::AutopilotMode mode_ = vehicle::AutopilotMode::idle;
   TickListener on_tick_;
   FlightRecord record_;

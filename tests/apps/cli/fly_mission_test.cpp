@@ -50,6 +50,15 @@ TEST_F(FlyMissionTest, VisitsItsTargetsAndReportsEach) {
   EXPECT_LT(json["tracking"]["rmse_m"], 0.03);
 }
 
+// What the mission itself waits is no reason to break it off.
+TEST_F(FlyMissionTest, ItsWaitsDoNotCountForTheTimeLimit) {
+  const std::string tour =
+      mission("  - {target: node:q, hover_s: 60, land: true, ground_s: 40}\n  - return\n");
+  const Ran ran = run({"fly", tour, "--conditions", "ideal", "--set", "time_limit_s=60", "--json"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_GT(nlohmann::json::parse(ran.out)["duration_s"], 120.0);
+}
+
 TEST_F(FlyMissionTest, ExplainsTheWayWithWhatIsDoneAtTheTargets) {
   const std::string tour =
       mission("  - {target: node:r, hover_s: 3, look: true}\ncharging_station: return\n");
