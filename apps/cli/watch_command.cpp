@@ -41,7 +41,7 @@ int run_watch(const WatchArguments& arguments) {
   OpenWatch opened = open_watch(arguments.request);
   WatchChains chains(opened.feed->camera(), opened.request.settings, opened.controllers);
   watch_for_interrupt();
-  WatchResults results(arguments.out, arguments.record, arguments.request.source, opened);
+  WatchResults results(arguments.out, arguments.record, arguments.request, opened);
   const bool prints = !arguments.out;
   WatchOptions options;
   options.frames = arguments.frames;

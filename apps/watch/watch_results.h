@@ -15,14 +15,14 @@ class WatchResults {
  public:
   /// Proves that they can be written. Throws InputError.
   WatchResults(const std::optional<std::string>& out, const std::optional<std::string>& record,
-               const std::string& source, const OpenWatch& opened);
+               const WatchRequest& request, const OpenWatch& opened);
 
   /// Keeps a tick; returns its row.
   std::string add(const Watched& watched);
   void publish();
 
  private:
-  void begin_recording(const std::string& folder, const std::string& source, const OpenWatch& opened);
+  void begin_recording(const std::string& folder, const WatchRequest& request, const OpenWatch& opened);
 
   std::string out_name_;
   std::optional<ResultFolder> out_, record_;

@@ -72,7 +72,8 @@ TEST_F(WatchProgram, ARecordedFlightIsSeenAsItWasFlown) {
 
   EXPECT_THAT(refusal({"watch", folder, "--height", "0.5"}), HasSubstr("--height does not go with"));
   EXPECT_THAT(refusal({"watch", folder, "--conditions", "paper"}), HasSubstr("use --set"));
-  EXPECT_THAT(refusal({"watch", folder, "--record", folder}), HasSubstr("is the source itself"));
+  EXPECT_THAT(refusal({"watch", folder, "--record", folder}),
+              HasSubstr("would replace " + folder + ", which is read"));
 }
 
 TEST_F(WatchProgram, ASimulatedFlightIsWatchedAsItFlies) {
@@ -149,6 +150,28 @@ TEST_F(WatchProgram, RefusesWhatIsNotThere) {
   EXPECT_THAT(refusal({"watch", source, "--rate", "0"}), HasSubstr("--rate '0'"));
   EXPECT_THAT(refusal({"watch", source, "--frames", "0"}), HasSubstr("--frames"));
   EXPECT_THAT(refusal({"watch", source, "--out", temp_.path()}), HasSubstr("it is a folder"));
+}
+
+TEST_F(WatchProgram, DoesNotReplaceWhatItReads) {
+  const std::string source = images({640, 640}), frame = path("images/a.png").string();
+  const std::string heights = temp_.write("h.csv", "t_s,height_m\n0,0.5\n9,0.5\n");
+  fs::create_directories(path("kept"));
+  const std::string camera =
+      temp_.write("kept/camera.yaml", "width_px: 640\nheight_px: 480\nfocal_px: 320\n");
+  for (const std::string& read : {frame, heights, camera})
+    EXPECT_THAT(refusal({"watch", source, "--height", heights, "--camera", camera, "--out", read}),
+                HasSubstr("--out " + read + ": is there already and no table of watch"));
+  EXPECT_THAT(refusal({"watch", source, "--camera", camera, "--record", path("kept")}),
+              HasSubstr("would replace " + camera + ", which is read"));
+  EXPECT_THAT(read_text(camera), StartsWith("width_px"));
+  const std::string out = path("seen.csv"), record = path("recording");
+  for (int k = 0; k < 2; ++k) {
+    const Ran ran = run({"watch", source, "--out", out, "--record", record});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err << "also over an earlier table and recording";
+  }
+  EXPECT_THAT(refusal({"watch", record + "/frames", "--record", record}), HasSubstr("which is read"));
+  EXPECT_THAT(refusal({"watch", record + "/frames/%06d.png", "--record", record}),
+              HasSubstr("which is read"));
 }
 
 TEST_F(WatchProgram, AFullDiskIsToldAndLeavesNothing) {
