@@ -1,6 +1,7 @@
 #include "apps/watch/estimates_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ namespace {
 constexpr double kHighest_m = 100.0;
 constexpr double kLatest_s = 1e8;
 constexpr double kLargest = 1e6;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // as spreadsheets begin their UTF-8
 
 enum Column { t_s, height, roll, pitch, yaw, forward, left, up, kColumns };
 constexpr std::array<const char*, kColumns> kNames = {"t_s",     "height_m",    "roll_rad", "pitch_rad",
@@ -47,9 +49,14 @@ using Places = std::array<std::optional<std::size_t>, kColumns>;
 
 Places places_of(const std::vector<std::string>& header, const std::string& where) {
   Places places;
-  for (std::size_t c = 0; c < kColumns; ++c) {
-    const auto it = std::find(header.begin(), header.end(), kNames[c]);
-    if (it != header.end()) places[c] = static_cast<std::size_t>(it - header.begin());
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    const auto it = std::find(kNames.begin(), kNames.end(), header[k]);
+    if (it == kNames.end())
+      throw InputError(
+          fmt::format("{}: unknown column '{}'; allowed: {}", where, header[k], fmt::join(kNames, ", ")));
+    std::optional<std::size_t>& place = places[static_cast<std::size_t>(it - kNames.begin())];
+    if (place) throw InputError(fmt::format("{}: column '{}' is there twice", where, header[k]));
+    place = k;
   }
   for (const Column needed : {t_s, height})
     if (!places[needed])
@@ -97,7 +104,9 @@ class Rows {
 };
 
 std::vector<std::string> lines_of(const std::filesystem::path& file) {
-  std::vector<std::string> lines = split(read_bytes(file), '\n');
+  std::string text = read_bytes(file);
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  std::vector<std::string> lines = split(text, '\n');
   for (std::string& line : lines)
     if (line.ends_with('\r')) line.pop_back();
   if (lines.back().empty()) lines.pop_back();
@@ -109,11 +118,14 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
 Estimates read_estimates(const std::filesystem::path& file) {
   const std::vector<std::string> lines = lines_of(file);
   if (lines.size() < 2) throw InputError(file.string() + ": must have a header and at least one row");
-  const Places places = places_of(split(lines.front(), ','), file.string() + ":1");
+  const std::vector<std::string> header = split(lines.front(), ',');
+  const Places places = places_of(header, file.string() + ":1");
   Rows rows;
   for (std::size_t k = 1; k < lines.size(); ++k) {
     const std::string where = fmt::format("{}:{}", file.string(), k + 1);
-    rows.add(values_of(split(lines[k], ','), places, where), where);
+    const std::vector<std::string> cells = split(lines[k], ',');
+    if (cells.size() > header.size()) throw InputError(where + ": has more columns than its header");
+    rows.add(values_of(cells, places, where), where);
   }
   return {rows.take(), file.string()};
 }
