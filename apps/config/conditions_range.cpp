@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "apps/config/input_error.h"
 #include "apps/config/settings_table.h"
 #include "vehicle/random.h"
 
@@ -34,7 +35,12 @@ std::optional<ConditionsRange> conditions_range(const std::string& text) {
   for (std::size_t at = text.find("..", 1); at != std::string::npos; at = text.find("..", at + 2)) {
     const std::string from = text.substr(0, at), to = text.substr(at + 2);
     const bool is_path = from.ends_with('/') || to.starts_with('/');
-    if (!is_path && !to.empty()) return ConditionsRange{from, to};
+    if (is_path || to.empty()) continue;
+    if (conditions_range(to))
+      throw InputError(fmt::format(
+          "--conditions {}: are more than two; allowed: one, or two with .. between, such as paper..harsh",
+          text));
+    return ConditionsRange{from, to};
   }
   return std::nullopt;
 }

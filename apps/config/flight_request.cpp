@@ -21,12 +21,6 @@ namespace {
 constexpr std::array kMissionKeys = {"version",    "instruction", "controller", "layout",
                                      "conditions", "seed",        "land"};
 
-void check_version(const std::string& version, const std::string& where) {
-  if (version == kVersion) return;
-  throw InputError(fmt::format("{}: is of version {}, which need not fly as this one does; allowed: {}",
-                               where, version, kVersion));
-}
-
 /// Takes the keys of the mission itself; false when the key is a setting.
 bool take_mission_key(FlightRequest& request, const YamlEntry& entry, const std::string& where) {
   if (entry.key == "version") return check_version(entry.text, where), true;
@@ -132,6 +126,12 @@ std::string layout_of_zone(const std::string& instruction) {
     default:
       return "warehouse";
   }
+}
+
+void check_version(const std::string& version, const std::string& where) {
+  if (version == kVersion) return;
+  throw InputError(fmt::format("{}: is of version {}, which need not fly as this one does; allowed: {}",
+                               where, version, kVersion));
 }
 
 std::uint64_t read_seed(const std::string& text, const std::string& where) {

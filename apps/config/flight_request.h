@@ -22,6 +22,9 @@ struct FlightRequest {
 /// A seed as text: a whole number from 0. Throws InputError behind `where`.
 std::uint64_t read_seed(const std::string& text, const std::string& where);
 
+/// Throws InputError behind `where` for results of another version of the program.
+void check_version(const std::string& version, const std::string& where);
+
 /// Puts the settings of conditions (a name that ships, or a file) over those of the request. Of a pair
 /// ("paper..harsh") the request's seed draws conditions between the two: set it first.
 void apply_conditions(FlightRequest& request, const std::string& name_or_path);

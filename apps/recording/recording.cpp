@@ -26,6 +26,7 @@ RecordingKind kind_of(const std::string& word) {
 
 RecordingInfo read_info(const fs::path& file) try {
   const auto json = nlohmann::json::parse(read_text_file(file));
+  check_version(json.at("version"), file.string());
   RecordingInfo info;
   info.kind = kind_of(json.at("kind"));
   info.source = json.at("source");

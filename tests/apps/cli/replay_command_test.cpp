@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/apps/cli/program_test.h"
 
 namespace lineservo::apps {
@@ -76,6 +78,17 @@ TEST_F(ReplayProgram, DoesNotReplaceAFolderThatIsNoRecordings) {
   EXPECT_THAT(record({"--record"}).err, HasSubstr("frames: is there already, and not from an earlier run"));
   ASSERT_EQ(record().exit_code, 0);
   EXPECT_EQ(read_text(path("flight/frames/000000.png")), "mine");
+}
+
+TEST_F(ReplayProgram, RefusesARecordingOfAnotherVersion) {
+  ASSERT_EQ(record({"--record"}).exit_code, 0);
+  auto info = nlohmann::json::parse(read_text(path("flight/recording.json")));
+  const std::string version = info["version"];
+  info["version"] = "0.0.9";
+  std::ofstream(path("flight/recording.json")) << info.dump();
+  for (const char* command : {"replay", "watch"})
+    EXPECT_THAT(refusal({command, folder_}),
+                AllOf(HasSubstr("recording.json: is of version 0.0.9"), HasSubstr("allowed: " + version)));
 }
 
 TEST_F(ReplayProgram, RefusesWhatIsNoRecording) {

@@ -1,8 +1,10 @@
 #include "apps/config/conditions_range.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "apps/config/input_error.h"
+#include "tests/apps/test_files.h"
 
 namespace lineservo::apps {
 namespace {
@@ -22,6 +24,12 @@ TEST(ConditionsRange, IsTwoNamesWithDotsBetween) {
   for (const char* other : {"paper", "../mine.yaml", "a/../b.yaml", "paper..", "..harsh", ""})
     EXPECT_FALSE(conditions_range(other).has_value()) << other;
   EXPECT_EQ(conditions_range("../a.yaml..b/../c.yaml")->from, "../a.yaml");
+}
+
+TEST(ConditionsRange, IsNoMoreThanTwo) {
+  EXPECT_THAT(
+      testing::complaint([] { conditions_range("ideal..paper..harsh"); }),
+      ::testing::HasSubstr("--conditions ideal..paper..harsh: are more than two; allowed: one, or two"));
 }
 
 TEST(ConditionsRange, TheSameSeedDrawsTheSame) {
