@@ -101,7 +101,7 @@ void print_plan(const servo::Plan& plan) {
 }
 
 void print_summary(const FlightRequest& request, const FlightRecord& record, const FlightSummary& s) {
-  fmt::print("{} with {} on {}, {} at {} m/s, seed {}: {}\n", request.instruction, request.controller,
+  fmt::print("{} with {} on {}, {} at {:.4g} m/s, seed {}: {}\n", request.instruction, request.controller,
              request.layout, request.conditions, request.settings.speed_m_s, request.seed, s.outcome);
   if (record.abort_reason != servo::AbortReason::none)
     fmt::print("  because: {}\n", servo::name(record.abort_reason));

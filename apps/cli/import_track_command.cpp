@@ -14,6 +14,7 @@
 #include "apps/config/text_file.h"
 #include "apps/image/image_file.h"
 #include "apps/output/result_folder.h"
+#include "apps/output/shell_word.h"
 #include "apps/track/track_import.h"
 #include "features/mask/color_classes.h"
 
@@ -115,7 +116,7 @@ void import_track(Arguments a) {
   const vehicle::Layout layout = rehearsed(a, text);
   write(a, folder_of(out), text);
   fmt::print("{}: {} nodes, {} lines; fly it with: lineservo fly node:NAME --layout {}{}\n", a.out,
-             layout.nodes.size(), layout.edges.size(), a.out,
+             layout.nodes.size(), layout.edges.size(), for_shell(a.out),
              is_yellow(image.line_bgr) ? "" : " --set features.segmenter=auto");
 }
 

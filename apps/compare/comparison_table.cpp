@@ -28,11 +28,15 @@ std::string cell_cm(const std::optional<double>& value_m, int width = 8) {
   return cell_cm(value_m.value_or(std::nan("")), width);
 }
 
+std::string speed_text(const Entry& e) {
+  return std::isnan(e.speed_m_s) ? "speeds drawn" : fmt::format("{:.4g} m/s", e.speed_m_s);
+}
+
 /// Marked when it departs from its paper.
 std::string marked(const Entry& e) {
   const bool adapted = !servo::find_controller(e.controller).adaptations.empty();
   std::string text = e.label() + (adapted ? " *" : "");
-  if (e.own_speed) text += fmt::format(" at {} m/s", e.speed_m_s);
+  if (e.own_speed) text += (std::isnan(e.speed_m_s) ? ", " : " at ") + speed_text(e);
   return text;
 }
 
@@ -60,9 +64,7 @@ std::string row(const PublishedRow& r) {
 
 std::string heading(const ComparisonResult& result, const Entry& e) {
   const ComparisonOptions& o = result.options;
-  const std::string speed = e.own_speed               ? "each at the speed of its own paper"
-                            : std::isnan(e.speed_m_s) ? "speeds drawn"
-                                                      : fmt::format("{} m/s", e.speed_m_s);
+  const std::string speed = e.own_speed ? "each at the speed of its own paper" : speed_text(e);
   return fmt::format(
       "\n{}, {}, {}: {}, seeds {} to {}\n"
       "{:<30}{:>15}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10}{:>8}{:>8}{:>8}{:>7}{:>8}{:>7}{:>9}\n"
@@ -170,7 +172,7 @@ std::string comparison_table(const ComparisonResult& result) {
 std::string error_histogram(const ComparisonResult& result) {
   std::string text = "\nHow the errors are distributed, share of the samples:\n";
   for (const Contestant& c : result.contestants) {
-    text += fmt::format("{} on {} at {} m/s\n{}", c.entry.label(), c.entry.layout, c.entry.speed_m_s,
+    text += fmt::format("{} on {}, {}\n{}", c.entry.label(), c.entry.layout, speed_text(c.entry),
                         bars(standing_of(c).distribution));
   }
   return text;

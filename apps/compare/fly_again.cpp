@@ -4,20 +4,9 @@
 
 #include <cmath>
 
+#include "apps/output/shell_word.h"
+
 namespace lineservo::apps {
-namespace {
-
-/// In single quotes unless it is plain.
-std::string for_shell(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-}  // namespace
 
 std::string fly_again(const Entry& entry, const std::string& instruction, std::uint64_t seed) {
   std::string command =

@@ -121,6 +121,12 @@ TEST_F(FlyCommandTest, PrintsTheSummaryAsJson) {
 }
 
 TEST_F(FlyCommandTest, WritesItsFilesAndNoOther) {
+TEST_F(FlyCommandTest, PrintsADrawnSpeedForAPerson) {
+  const Ran ran =
+      run({"fly", "node:q", "--layout", short_flight()[3], "--conditions", "paper..harsh", "--seed", "5"});
+  EXPECT_THAT(ran.out, HasSubstr("paper..harsh at 0.2714 m/s, seed 5"));
+}
+
   const Ran ran = run(short_flight({"--out", path("a/b")}));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   std::vector<std::string> names;

@@ -53,6 +53,7 @@ TEST_F(ImportTrackCommandTest, APictureOfAFloorIsFlownOn) {
   const std::string layout = path("floor/mine.yaml");
   const Ran imported = run(import({"--out", layout, "--bitmap", "--start-disc", "0.06"}));
   ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  EXPECT_THAT(imported.out, HasSubstr("lineservo fly node:NAME --layout " + layout));
   EXPECT_EQ(read_text(path("floor/tee.ppm")), read_text(path("tee.ppm")));
   EXPECT_THAT(read_text(layout), AllOf(HasSubstr("bitmap: {file: \"tee.ppm\", metres_per_pixel: 0.005}"),
                                        HasSubstr("start: {node: n0, marker_radius_m: 0.06}")));
@@ -63,12 +64,18 @@ TEST_F(ImportTrackCommandTest, APictureOfAFloorIsFlownOn) {
   EXPECT_LT(summary["tracking"]["rmse_m"], 0.02);
   EXPECT_NEAR(summary["target"]["y_m"], 1.7, 0.02);
   EXPECT_TRUE(fs::exists(path("flown/tee.ppm"))) << "the folder flies again by itself";
-  fs::remove_all(path("floor"));
   fs::copy(path("flown"), path("flown-on"), fs::copy_options::recursive);
   ASSERT_EQ(run(short_flight({"--out", path("flown-on")})).exit_code, 0);
   EXPECT_FALSE(fs::exists(path("flown-on/tee.ppm"))) << "another floor, without a bitmap";
+  fs::remove_all(path("floor"));
   const Ran again = run({"fly", "--config", path("flown/config.yaml"), "--json"});
   EXPECT_EQ(nlohmann::json::parse(again.out)["trajectory_sha256"], summary["trajectory_sha256"]) << again.err;
+}
+
+TEST_F(ImportTrackCommandTest, TheCommandThatItSuggestsIsForAShell) {
+  const Ran ran = run(import({"--out", path("my floor.yaml")}));
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("--layout '" + path("my floor.yaml").string() + "'"));
 }
 
 TEST_F(ImportTrackCommandTest, TheLinesArePaintedUnlessTheImageIsTheFloor) {
