@@ -90,7 +90,8 @@ vehicle::Layout rehearsed(const Arguments& a, const std::string& text) {
 }
 
 void keep_other_image(const Arguments& a, const fs::path& there) {
-  if (fs::exists(there) && read_bytes(there) != read_bytes(a.image))
+  std::error_code error;
+  if (fs::exists(there, error) && read_bytes(there) != read_bytes(a.image))
     throw InputError(fmt::format("--bitmap: {}: another image of this name is there", there.string()));
 }
 

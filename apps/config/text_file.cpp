@@ -45,6 +45,10 @@ std::size_t character_bytes(std::string_view text) {
   return 0;
 }
 
+void refuse_no_name(const std::filesystem::path& file) {
+  if (file.empty()) throw InputError("'': is empty where the name of a file is needed");
+}
+
 }  // namespace
 
 bool is_utf8(std::string_view text) {
@@ -57,6 +61,7 @@ bool is_utf8(std::string_view text) {
 }
 
 std::string read_text_file(const std::filesystem::path& file) {
+  refuse_no_name(file);
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     throw InputError(file.string() + ": is a folder, not a file");
@@ -73,11 +78,16 @@ std::string read_text_file(const std::filesystem::path& file) {
 }
 
 std::string read_bytes(const std::filesystem::path& file) {
+  refuse_no_name(file);
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) throw InputError(file.string() + ": not a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string() + ": cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return {std::istreambuf_iterator<char>(stream), {}};
+  } catch (const std::ios_base::failure&) {  // a disk that fails
+    throw InputError(file.string() + ": cannot be read");
+  }
 }
 
 }  // namespace lineservo::apps

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -124,6 +125,12 @@ YamlReader::YamlReader(const std::filesystem::path& file, const std::string& tex
 std::vector<YamlEntry> YamlReader::scalars() const {
   std::vector<YamlEntry> entries;
   collect(*this, root_, "", entries);
+  std::map<std::string, int> lines;  // a.b: 1 beside a: {b: 1} is the same key
+  for (const YamlEntry& entry : entries) {
+    if (const auto [first, is_new] = lines.try_emplace(entry.key, entry.line); !is_new)
+      throw InputError(fmt::format("{}:{}: key '{}' twice, first in line {}", file_.string(), entry.line,
+                                   entry.key, first->second));
+  }
   return entries;
 }
 

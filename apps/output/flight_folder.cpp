@@ -85,7 +85,8 @@ bool write_flight_report(ResultFolder& folder, const Mission& mission, const Fli
 }
 
 void keep_what_is_no_flights(const fs::path& folder, const OwnFiles& own) {
-  if (fs::exists(folder / "config.yaml")) return;  // of an earlier flight, so are the others
+  std::error_code error;
+  if (fs::exists(folder / "config.yaml", error)) return;  // of an earlier flight, so are the others
   const auto keep_other = [&folder](const std::string& name, const std::optional<std::string>& text) {
     std::error_code ignored;
     if (!fs::is_regular_file(folder / name, ignored) || (text && read_bytes(folder / name) == *text)) return;

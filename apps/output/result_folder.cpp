@@ -56,13 +56,15 @@ std::string numbered(std::size_t number, const std::string& ending) {
   return fmt::format("{:06}{}", number, ending);
 }
 
-ResultFolder::ResultFolder(const fs::path& folder, const std::vector<std::string>& results)
+ResultFolder::ResultFolder(const fs::path& folder, const std::vector<std::string>& results,
+                           const std::string& option)
     : folder_(folder), suffix_(own_suffix()) {
   std::error_code error;
   fs::create_directories(folder_, error);
-  if (error) throw InputError(fmt::format("--out {}: cannot be made: {}", folder_.string(), error.message()));
+  if (error)
+    throw InputError(fmt::format("{} {}: cannot be made: {}", option, folder_.string(), error.message()));
   if (::access(folder_.c_str(), W_OK | X_OK) != 0 || !fs::is_directory(folder_)) {
-    throw InputError(fmt::format("--out {}: is not a folder that can be written to", folder_.string()));
+    throw InputError(fmt::format("{} {}: is not a folder that can be written to", option, folder_.string()));
   }
   for (const std::string& name : results) check(name);
 }
@@ -79,11 +81,12 @@ fs::path ResultFolder::aside(const std::string& name) const {
 
 void ResultFolder::check(const std::string& name) const {
   std::error_code error;
-  const fs::file_status status = fs::status(folder_ / name, error);
-  if (name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))
-    throw InputError(
-        fmt::format("{}: cannot be written: {}", (folder_ / name).string(),
-                    name.empty() || fs::is_directory(status) ? "it is a folder" : "it is not a file"));
+  const fs::file_status status = fs::symlink_status(folder_ / name, error);
+  const char* const why = name.empty() || fs::is_directory(status)             ? "it is a folder"
+                          : fs::is_symlink(status)                             ? "it is a link"
+                          : fs::exists(status) && !fs::is_regular_file(status) ? "it is not a file"
+                                                                               : nullptr;
+  if (why) throw InputError(fmt::format("{}: cannot be written: {}", (folder_ / name).string(), why));
 }
 
 void ResultFolder::write(const std::string& name, const std::string& content) {

@@ -13,8 +13,10 @@ namespace lineservo::apps {
 class ResultFolder {
  public:
   /// Makes the folder when it is not there, and proves that it can be written to and that the names of the
-  /// results are free or files': so that nothing is flown for results that have no place. Throws InputError.
-  explicit ResultFolder(const std::filesystem::path& folder, const std::vector<std::string>& results = {});
+  /// results are free or files': so that nothing is flown for results that have no place. Throws InputError,
+  /// which names the option that named the folder.
+  explicit ResultFolder(const std::filesystem::path& folder, const std::vector<std::string>& results = {},
+                        const std::string& option = "--out");
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;

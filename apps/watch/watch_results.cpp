@@ -75,7 +75,7 @@ void WatchResults::begin_recording(const std::string& folder, const WatchRequest
                                    const OpenWatch& opened) {
   keep_what_is_read(request, folder);
   refuse_other_kinds(folder, ResultKind::recording, "watch: --record");
-  record_.emplace(folder, kRecordFiles);
+  record_.emplace(folder, kRecordFiles, "--record");
   RecordingInfo info;
   info.kind = RecordingKind::watch;
   info.source = request.source;

@@ -75,6 +75,7 @@ TEST_F(FlyCommandTest, RefusesToWriteWhereItCannotBeforeItFlies) {
   const std::string file = temp_.write("file", "x");
   EXPECT_THAT(refusal({"fly", "a13", "--out", file}), HasSubstr("--out"));
   EXPECT_THAT(refusal({"fly", "a13", "--out", "/proc/lineservo"}), HasSubstr("--out /proc/lineservo"));
+  EXPECT_THAT(refusal({"fly", "a13", "--out", std::string(300, 'x')}), HasSubstr("File name too long"));
 }
 
 TEST_F(FlyCommandTest, AFullDiskIsOneErrorAndLeavesNothing) {
@@ -120,13 +121,13 @@ TEST_F(FlyCommandTest, PrintsTheSummaryAsJson) {
   EXPECT_THAT(summary["trajectory_sha256"].get<std::string>(), MatchesRegex("[0-9a-f]+"));
 }
 
-TEST_F(FlyCommandTest, WritesItsFilesAndNoOther) {
 TEST_F(FlyCommandTest, PrintsADrawnSpeedForAPerson) {
   const Ran ran =
       run({"fly", "node:q", "--layout", short_flight()[3], "--conditions", "paper..harsh", "--seed", "5"});
   EXPECT_THAT(ran.out, HasSubstr("paper..harsh at 0.2714 m/s, seed 5"));
 }
 
+TEST_F(FlyCommandTest, WritesItsFilesAndNoOther) {
   const Ran ran = run(short_flight({"--out", path("a/b")}));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
   std::vector<std::string> names;

@@ -34,6 +34,12 @@ TEST(ReadTextFile, IsTheTextOfAFileUpToItsLimit) {
   EXPECT_THAT(complaint([&] { read_text_file(folder.path()); }), HasSubstr("is a folder"));
   EXPECT_THAT(complaint([&] { read_text_file(folder.path() / "none"); }), HasSubstr("cannot be read"));
   EXPECT_THAT(complaint([&] { read_text_file("/dev/zero"); }), HasSubstr("1 MiB"));
+  EXPECT_THAT(complaint([] { read_text_file(""); }), HasSubstr("'': is empty where the name of a file"));
+}
+
+TEST(ReadBytes, AFileThatBreaksOffCannotBeRead) {
+  EXPECT_THAT(complaint([] { read_bytes("/proc/self/mem"); }), HasSubstr("/proc/self/mem: cannot be read"));
+  EXPECT_THAT(complaint([] { read_bytes(""); }), HasSubstr("'': is empty where the name of a file"));
 }
 
 }  // namespace

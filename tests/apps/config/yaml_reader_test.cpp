@@ -70,6 +70,10 @@ TEST_F(YamlReaderTest, RefusesAKeyThatStandsTwiceAtAnyDepth) {
   EXPECT_EQ(complaint_about("m:\n  - {a: 1, b: 2}\n  - {a: 1, a: 2}\n"), at(3) + "key 'a' twice");
 }
 
+TEST_F(YamlReaderTest, AKeyWithDotsIsTheOneOfItsMap) {
+  EXPECT_EQ(complaint_about("m.a: 1\nm:\n  a: 2\n"), at(3) + "key 'm.a' twice, first in line 1");
+}
+
 TEST_F(YamlReaderTest, AllowsTheSameKeyInDifferentMaps) {
   EXPECT_EQ(complaint_about("m: {a: 1}\nn: {a: 1}\n"), "no error");
 }

@@ -90,6 +90,21 @@ TEST(ResultFolder, PublishingReplacesEarlierResults) {
   EXPECT_EQ(read_text(temp.path() / "one.txt"), "after\n");
 }
 
+// /dev/stdout is one: what it leads to would stay as it was, and the link be gone.
+TEST(ResultFolder, ALinkIsNotReplaced) {
+  const TempFolder temp;
+  const fs::path file = temp.write("one.txt", "mine\n");
+  fs::create_symlink(file, temp.path() / "link.txt");
+  fs::create_symlink(temp.path() / "nowhere", temp.path() / "dangling.txt");
+  for (const char* name : {"link.txt", "dangling.txt"})
+    EXPECT_THAT(complaint([&] { ResultFolder(temp.path(), {name}); }), HasSubstr("it is a link")) << name;
+  EXPECT_EQ(read_text(file), "mine\n");
+}
+
+TEST(ResultFolder, NamesTheOptionThatNamedIt) {
+  EXPECT_THAT(complaint([] { ResultFolder("", {}, "--record"); }), HasSubstr("--record : cannot be made"));
+}
+
 TEST(ResultFolder, AFileInThePlaceOfTheFolderIsRefused) {
   const TempFolder temp;
   const fs::path file = temp.write("f", "x");
