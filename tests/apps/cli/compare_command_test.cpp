@@ -79,7 +79,7 @@ TEST_F(CompareCommandTest, EndsAtOnceOnCtrlC) {
   const auto asked = [] { return true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const Ran ran = run_and_interrupt(
-        {"compare", "--conditions", "paper..harsh", "--runs", "2000", "--out", out}, asked, signal);
+        {"compare", "--conditions", "paper..harsh", "--runs", "1000", "--out", out}, asked, signal);
     EXPECT_TRUE(ran.exit_code == 1 || ran.exit_code == 128 + signal) << ran.exit_code << ran.err;
     EXPECT_TRUE(!fs::exists(out) || fs::is_empty(out));
   }

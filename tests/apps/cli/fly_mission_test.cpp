@@ -54,7 +54,7 @@ TEST_F(FlyMissionTest, VisitsItsTargetsAndReportsEach) {
 TEST_F(FlyMissionTest, ItsWaitsDoNotCountForTheTimeLimit) {
   const std::string tour =
       mission("  - {target: node:q, hover_s: 60, land: true, ground_s: 40}\n  - return\n");
-  const Ran ran = run({"fly", tour, "--conditions", "ideal", "--set", "time_limit_s=60", "--json"});
+  const Ran ran = run({"fly", tour, "--conditions", "paper", "--set", "time_limit_s=60", "--json"});
   EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
   EXPECT_GT(nlohmann::json::parse(ran.out)["duration_s"], 120.0);
 }
