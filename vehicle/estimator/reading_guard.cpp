@@ -12,6 +12,8 @@ constexpr double kMostRate_rad_s = 35.0, kMostForce_m_s2 = 160.0, kMostSpeed_m_s
 constexpr double kMostRateStep_rad_s = 2.0;
 /// So many in a row that go on from each other are no outliers any more: the body itself does that.
 constexpr int kGoingOn = 4;
+/// By more the specific force changes where the body moves; less is the settling of one that stands.
+constexpr double kStill_m_s2 = 0.02;
 /// At 50 Hz: 0.2 s.
 constexpr int kFrozenAfter = 10;
 
@@ -67,7 +69,8 @@ void ReadingGuard::check_force(SensorReadings& readings) {
 void ReadingGuard::check_range(SensorReadings& readings) {
   if (!readings.range_m) return;
   const bool repeated = readings.range_m == last_.range_m;
-  const bool moves = readings.specific_force_B_m_s2 != last_.specific_force_B_m_s2;
+  const bool moves =
+      !is_possible(readings.specific_force_B_m_s2 - last_.specific_force_B_m_s2, kStill_m_s2);
   range_repeated_ = repeated && moves ? range_repeated_ + 1 : 0;
   last_.range_m = readings.range_m;
   const bool possible = *readings.range_m >= 0.0 && *readings.range_m <= kMostRange_m;
