@@ -39,6 +39,7 @@ enum class MarkerMethod {
            ///< themselves
 };
 
+/// Which methods look at a frame; the defaults are those that `ibvs` flies with.
 struct PerceptionOptions {
   SegmenterOptions segmenter;
   /// Of segmenter_names(): with hsv the fast path with the ranges above; the others give the path's mask,

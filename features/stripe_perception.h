@@ -13,6 +13,7 @@
 
 namespace lineservo::features {
 
+/// Options of every step from the mask to stripes and junction. Lengths in normalised units.
 struct StripePerceptionOptions {
   BorderOptions border = {};
   StripeOptions stripe = {};

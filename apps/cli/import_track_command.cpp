@@ -11,6 +11,7 @@
 #include "apps/config/input_error.h"
 #include "apps/config/layout_bitmap.h"
 #include "apps/config/layout_file.h"
+#include "apps/config/program_name.h"
 #include "apps/config/text_file.h"
 #include "apps/image/image_file.h"
 #include "apps/output/result_folder.h"
@@ -116,8 +117,8 @@ void import_track(Arguments a) {
   const std::string text = layout_of_track(image, a.options, a.image);
   const vehicle::Layout layout = rehearsed(a, text);
   write(a, folder_of(out), text);
-  fmt::print("{}: {} nodes, {} lines; fly it with: lineservo fly node:NAME --layout {}{}\n", a.out,
-             layout.nodes.size(), layout.edges.size(), for_shell(a.out),
+  fmt::print("{}: {} nodes, {} lines; fly it with: {} fly node:NAME --layout {}{}\n", a.out,
+             layout.nodes.size(), layout.edges.size(), for_shell(program_name()), for_shell(a.out),
              is_yellow(image.line_bgr) ? "" : " --set features.segmenter=auto");
 }
 

@@ -25,7 +25,7 @@ void add_list_commands(CLI::App& app) {
   app.add_subcommand("missions", "list the missions that ship")->callback([] {
     print_data(DataKind::mission);
   });
-  app.add_subcommand("controllers", "list the laws that ship")->callback(print_controllers);
+  app.add_subcommand("controllers", "list the laws")->callback(print_controllers);
   app.add_subcommand("conditions", "list the conditions that ship")->callback([] {
     print_data(DataKind::conditions);
   });

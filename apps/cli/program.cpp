@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 #include "apps/cli/calibrate_command.h"
@@ -24,6 +25,7 @@
 #include "apps/cli/tune_command.h"
 #include "apps/cli/watch_command.h"
 #include "apps/config/input_error.h"
+#include "apps/config/program_name.h"
 #include "apps/version.h"
 
 namespace lineservo::apps {
@@ -55,7 +57,8 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) tr
   return app.exit(help);
 } catch (const CLI::ParseError& error) {
   const std::string unknown = unknown_command(app);
-  complain((unknown.empty() ? error.what() : unknown) + " (lineservo --help tells more)");
+  complain((unknown.empty() ? error.what() : unknown) +
+           fmt::format(" ({} --help tells more)", program_name()));
   return kBadInput;
 }
 
@@ -64,7 +67,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) tr
 namespace {
 
 int run(int argc, char** argv) try {
-  CLI::App app("lineservo: a quadrotor follows painted floor lines by visual servoing.", "lineservo");
+  CLI::App app("lineservo: a quadrotor follows painted floor lines by visual servoing.", program_name());
   app.set_version_flag("--version", std::string(kVersion));
   app.require_subcommand(1);
   int exit_code = kDone;
@@ -100,6 +103,7 @@ int run(int argc, char** argv) try {
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  if (argc > 0) program_name() = std::filesystem::path(argv[0]).filename();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, as on a full disk
   const int exit_code = run(argc, argv);
   errno = 0;

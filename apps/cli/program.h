@@ -2,8 +2,9 @@
 
 namespace lineservo::apps {
 
-/// The whole command line. Returns the exit code: 0 done, 1 the mission or check failed, 2 wrong usage or bad
-/// input.
+/// The whole command line, for `main`. Returns the exit code: 0 done, 1 the mission or check failed, 2 wrong
+/// usage or bad input. What goes wrong is told on stderr, never thrown. Call it once; controllers of one's
+/// own are to be added before, by servo::add_controller().
 int run_program(int argc, char** argv);
 
 inline constexpr int kDone = 0;

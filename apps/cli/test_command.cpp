@@ -14,12 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The build folder, upward from the program.
+/// Whose apps/ the program is in.
 fs::path build_folder() {
-  for (fs::path at = fs::read_symlink("/proc/self/exe").parent_path(); at != at.root_path();
-       at = at.parent_path()) {
-    if (fs::exists(at / "CTestTestfile.cmake") && fs::exists(at / "CMakeCache.txt")) return at;
-  }
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+  if (fs::exists(folder / "CTestTestfile.cmake")) return folder;
   throw InputError("test: this program is not in a build folder; run ./lineservo test in the source folder");
 }
 

@@ -35,6 +35,7 @@ std::vector<Block> on_floors_of_zones(const Block& block);
 
 enum class Tuning { published, tuned, both };
 
+/// What is compared, under which conditions and how often.
 struct ComparisonOptions {
   std::vector<Block> blocks;
   std::string conditions = "paper";

@@ -5,6 +5,7 @@
 
 namespace lineservo::apps {
 
+/// A confidence interval, both ends included.
 struct Interval {
   double low, high;
 };

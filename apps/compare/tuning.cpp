@@ -8,6 +8,7 @@
 
 #include "apps/compare/fly_all.h"
 #include "apps/compare/search.h"
+#include "apps/config/program_name.h"
 #include "apps/config/settings_table.h"
 #include "apps/config/tuned_settings.h"
 #include "apps/version.h"
@@ -161,8 +162,8 @@ std::optional<TuningResult> tune(const std::string& controller, const TuningOpti
 std::string tuned_yaml(const TuningResult& result) {
   const TuningTrial& best = result.best();
   std::string yaml = fmt::format(
-      "# {} tuned: `lineservo tune {} --budget {}` (version {}); training cost {:.4f}, as published {:.4f}\n",
-      result.controller, result.controller, result.trials.size(), kVersion, best.cost,
+      "# {} tuned: `{} tune {} --budget {}` (version {}); training cost {:.4f}, as published {:.4f}\n",
+      result.controller, program_name(), result.controller, result.trials.size(), kVersion, best.cost,
       result.published().cost);
   for (std::size_t i = 0; i < best.values.size(); ++i) {
     const std::string& key = result.parameters[i].key;

@@ -30,6 +30,7 @@ struct TuningTrial {
   int failed = 0;              ///< of them
 };
 
+/// What a search tried, in its order.
 struct TuningResult {
   std::string controller;
   std::vector<TunableParameter> parameters;
@@ -39,6 +40,7 @@ struct TuningResult {
   const TuningTrial& best() const;  ///< the first of the cheapest
 };
 
+/// How long and on how many threads parameters are searched.
 struct TuningOptions {
   int budget = 60;  ///< points, each flown by all training flights
   int jobs = 1;     ///< the result is the same for any number

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "apps/config/input_error.h"
+#include "apps/config/program_files.h"
 #include "apps/config/yaml_reader.h"
 
 namespace lineservo::apps {
@@ -29,17 +30,12 @@ bool is_own_file(const std::string& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// data/ of the source tree or share/lineservo/data of an installation, found upward from the program.
+/// data/ of the source tree or share/lineservo/data of an installation.
 fs::path data_root() {
   if (const char* set = std::getenv("LINESERVO_DATA")) return set;
-  std::error_code error;
-  fs::path at = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (; !at.empty() && at != at.root_path(); at = at.parent_path()) {
-    for (const fs::path& candidate : {at / "data", at / "share/lineservo/data"}) {
-      if (fs::is_directory(candidate / "layouts", error)) return candidate;
-    }
-  }
-  throw InputError("the data folder of lineservo was not found; set LINESERVO_DATA to it");
+  const auto layouts = find_program_file({"share/lineservo/data/layouts", "data/layouts"});
+  if (!layouts) throw InputError("the data folder of lineservo was not found; set LINESERVO_DATA to it");
+  return layouts->parent_path();
 }
 
 std::vector<fs::path> shipped(DataKind kind) {

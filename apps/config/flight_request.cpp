@@ -37,13 +37,22 @@ bool take_mission_key(FlightRequest& request, const YamlEntry& entry, const std:
   return false;
 }
 
+/// Gains of an added controller that did not fly: the program that wrote the config need not have known it.
+bool is_of_added_other(const std::string& key, const std::string& flown) {
+  const auto& all = servo::controllers();
+  return std::any_of(all.begin(), all.end(), [&](const servo::Controller& c) {
+    return !c.gains.empty() && c.name != flown && key.starts_with("servo." + c.name + ".");
+  });
+}
+
 /// A default in the place of a key that is missing would be another flight than the config's.
-void check_whole(const YamlReader& yaml, const std::vector<YamlEntry>& entries, const SettingsTable& table) {
+void check_whole(const YamlReader& yaml, const std::vector<YamlEntry>& entries, const SettingsTable& table,
+                 const std::string& controller) {
   std::vector<std::string> keys(kMissionKeys.begin(), kMissionKeys.end());
   for (const Setting& setting : table.all()) keys.push_back(setting.key);
   for (const std::string& key : keys) {
     const auto has_key = [&key](const YamlEntry& entry) { return entry.key == key; };
-    if (std::none_of(entries.begin(), entries.end(), has_key))
+    if (std::none_of(entries.begin(), entries.end(), has_key) && !is_of_added_other(key, controller))
       throw InputError(fmt::format("{}: key '{}' is missing; a config.yaml holds every setting of its flight",
                                    yaml.file().string(), key));
   }
@@ -174,7 +183,7 @@ FlightRequest read_config(const std::filesystem::path& file) {
     const std::string where = where_is(yaml, entry);
     if (!take_mission_key(request, entry, where)) table.set(entry.key, entry.text, where);
   }
-  check_whole(yaml, entries, table);
+  check_whole(yaml, entries, table, request.controller);
   if (is_mission_file(request.instruction))
     request.instruction = beside(file, DataKind::mission, request.instruction);
   request.layout = beside(file, DataKind::layout, request.layout);

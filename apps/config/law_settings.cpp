@@ -35,6 +35,16 @@ void SettingsTable::bind_laws(servo::LawOptions& l) {
   bind_carrot(l.carrot);
   bind_improved_carrot(l.improved_carrot);
   bind_vtp(l.vtp);
+  bind_own(l);
+}
+
+void SettingsTable::bind_own(servo::LawOptions& l) {
+  for (const servo::Controller& controller : servo::controllers()) {
+    for (const servo::OwnGain& gain : controller.gains) {
+      const std::string key = controller.name + "." + gain.name;
+      number("servo." + key, l.own.try_emplace(key, gain.value).first->second, gain.low, gain.high);
+    }
+  }
 }
 
 void SettingsTable::bind_ibvs(servo::IbvsLineOptions& o) {

@@ -18,6 +18,7 @@
 
 namespace lineservo::apps {
 
+/// The camera that is simulated, and the way of its frames to the laws.
 struct CameraSettings {
   int width_px = 640;
   int height_px = 480;
@@ -33,6 +34,7 @@ struct CameraSettings {
   double mount_tilt_deg = 0.0;  ///< off its place, towards a side that the seed says
 };
 
+/// How perception looks at a frame; the words are those of the keys features.*.
 struct FeatureSettings {
   std::string junction_method = "auto";  ///< "fpd", "stripe", or "auto": the controller's own
   int junction_window = 5;
@@ -62,6 +64,7 @@ struct SensorSettings {
   double range_sigma_m = 0.0;
 };
 
+/// Mean wind, turbulence and one gust.
 struct WindSettings {
   double mean_m_s = 0.0;
   double direction_deg = 0.0;         ///< where it blows to, from +x

@@ -9,6 +9,7 @@
 
 namespace lineservo::apps {
 
+/// From where to where a number may be, both included.
 struct NumberRange {
   double low, high;
 };
@@ -52,6 +53,7 @@ class SettingsTable {
   void bind_carrot(servo::CarrotOptions& o);
   void bind_improved_carrot(servo::ImprovedCarrotOptions& o);
   void bind_vtp(servo::VtpOptions& o);
+  void bind_own(servo::LawOptions& l);
   void bind_faults(FaultSettings& f);
   void bind_executive(servo::ExecutiveOptions& e);
 

@@ -11,7 +11,7 @@ namespace lineservo::apps {
 /// The tuned parameters of a controller that ship, or none.
 std::optional<std::filesystem::path> tuned_file(const std::string& controller);
 
-/// Whether a setting is a parameter of a controller's own: servo.<controller>.*, and for those that dock on
+/// Whether a setting is a parameter of a controller's own: servo.CONTROLLER.*, and for those that dock on
 /// nodes servo.dock.*.
 bool is_law_key(const std::string& controller, const std::string& key);
 

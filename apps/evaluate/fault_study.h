@@ -11,6 +11,7 @@
 
 namespace lineservo::apps {
 
+/// Which faults are flown, by whom and how often.
 struct FaultStudyOptions {
   std::vector<std::string> instructions = {"a03", "a13", "a53", "b02", "b03", "c03", "c05", "d00"};
   std::vector<std::string> faults;  ///< names of the cases; none: all
@@ -30,6 +31,7 @@ struct FaultFlight {
   Safety safety;
 };
 
+/// A fault and the flights that had it.
 struct FaultRow {
   std::string name;
   std::vector<FaultFlight> flights;

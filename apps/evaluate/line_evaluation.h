@@ -10,6 +10,7 @@
 
 namespace lineservo::apps {
 
+/// Which line methods look at which frames, and how many.
 struct LineEvaluationOptions {
   int frames = 100;  ///< of each level and size
   std::uint64_t seed = 1;

@@ -40,6 +40,7 @@ struct TickRecord {
   bool has_frame = true;  ///< otherwise the tick went on without one
 };
 
+/// One row of events.csv.
 struct EventRecord {
   vehicle::Time t{0};
   std::string kind;
@@ -53,6 +54,7 @@ struct StageTiming {
   double mean_ms() const { return calls == 0 ? 0.0 : 1000.0 * total_s / static_cast<double>(calls); }
 };
 
+/// What a flight took: wall time, and processor time of its stages.
 struct FlightTiming {
   double wall_s = 0.0;
   StageTiming render, perception, control, physics;

@@ -21,6 +21,7 @@ struct Mission {
 /// layout or target, no way to it.
 Mission prepare(const FlightRequest& request);
 
+/// A flight as it was, and its figures.
 struct FlownMission {
   FlightRecord record;
   FlightSummary summary;

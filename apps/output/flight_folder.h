@@ -14,6 +14,7 @@ namespace lineservo::apps {
 /// repeats the flight wherever the folder is. None for what ships.
 struct OwnFiles {
   std::optional<std::string> mission, layout, conditions;
+  /// An image beside the layout: its file's name and bytes.
   struct Image {
     std::string name, bytes;
   };

@@ -16,6 +16,7 @@ struct ReplayedTick {
   const std::vector<servo::Command>& others;
 };
 
+/// Who looks at a recording besides its own controllers.
 struct ReplayOptions {
   /// Controllers that see the same frames and estimates, beside those of the recording. Their commands move
   /// nothing.

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "apps/config/program_files.h"
+
 namespace lineservo::apps {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view kTitlePlace = "@REPORT_TITLE@", kDataPlace = "@REPORT_DATA@";
 
@@ -47,15 +47,10 @@ std::size_t place_of(const std::string& page, std::string_view place) {
 }  // namespace
 
 std::optional<std::string> find_report_page() {
-  std::error_code error;
-  fs::path at = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (; !at.empty() && at != at.root_path(); at = at.parent_path()) {
-    for (const fs::path& candidate : {at / "report/page.html", at / "share/lineservo/report/page.html"}) {
-      std::ifstream file(candidate, std::ios::binary);
-      if (file) return std::string(std::istreambuf_iterator<char>(file), {});
-    }
-  }
-  return std::nullopt;
+  const auto page = find_program_file({"share/lineservo/report/page.html", "report/page.html"});
+  if (!page) return std::nullopt;
+  std::ifstream file(*page, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 std::string filled_page(const std::string& page, const std::string& title, const std::string& data) {

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
 namespace lineservo::apps {
 
-/// The page that shows a report: built from apps/report/web, found upward from the program as
-/// report/page.html. None when the build could not make it.
+/// The page that shows a report, built from apps/report/web. None when the build could not make it.
 std::optional<std::string> find_report_page();
 
 /// The page with the data of a flight or a comparison (JSON) in it: one file that needs no other. Throws

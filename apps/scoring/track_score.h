@@ -33,6 +33,7 @@ using ErrorDistribution = std::array<long, 20>;
 inline constexpr double kSignedErrorBin_m = 0.005;
 using SignedDistribution = std::array<long, 242>;
 
+/// How a flight kept to its lines, leg by leg and over all.
 struct TrackScore {
   std::vector<LegScore> legs;  ///< those that were begun
   OffsetStatistics all;

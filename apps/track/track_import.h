@@ -8,6 +8,7 @@
 
 namespace lineservo::apps {
 
+/// How a bitmap of lines becomes a layout.
 struct TrackImportOptions {
   std::string name;               ///< of the layout
   double metres_per_pixel = 0.0;  ///< 1e-4 … 1

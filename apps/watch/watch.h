@@ -42,6 +42,7 @@ struct WatchEnd {
   std::string broke_off;  ///< what the source said when it broke off; empty at its end
 };
 
+/// When watching ends before its source does.
 struct WatchOptions {
   long frames = std::numeric_limits<long>::max();  ///< how many to look at
   std::function<bool()> goes_on = [] { return true; };

@@ -10,6 +10,7 @@
 
 namespace lineservo::features {
 
+/// Which paints are looked for, and what must stand out for one to be found.
 struct AutoSegmenterOptions {
   std::vector<LineColor> colors = {kLineColors.begin(), kLineColors.end()};  ///< those that may be found
   std::vector<ContrastReach> reaches = {{0.25}, {0.6}, {1.0}, {1.0, 0.25}};

@@ -22,6 +22,7 @@ struct ImageDetection {
   double evidence = 0.0;           ///< how sure the colour is, 0…1
 };
 
+/// How single pictures are looked at.
 struct ImageDetectorOptions {
   AutoSegmenterOptions segmenter;
   std::string method =

@@ -12,6 +12,7 @@
 
 namespace lineservo::features {
 
+/// A segmenter by its name, with what some of them need.
 struct SegmenterChoice {
   std::string name = "hsv";             ///< of segmenter_names()
   LineColor color = LineColor::yellow;  ///< for hsv

@@ -6,6 +6,7 @@
 
 namespace lineservo::features {
 
+/// When the colour of the paint is kept from frame to frame, and when given up.
 struct SteadyOptions {
   AutoSegmenterOptions search = {};
   double strong_hue = 0.35;    ///< saturation beyond the floor's that is paint whatever its shape, 1 = 255

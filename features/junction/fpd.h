@@ -19,6 +19,7 @@ inline constexpr int kEmptyBinsBeyondLineEnd = 2;  ///< at the top, for the line
 /// Densities rounded to three decimals are whole thousandths, and compare exactly.
 using Densities_permille = std::array<int, kDensityBins>;
 
+/// Shares of path pixels over the bins of a frame, in thousandths.
 struct PixelDensities {
   Densities_permille columns{};  ///< left to right
   Densities_permille rows{};     ///< top to bottom
@@ -48,6 +49,7 @@ JunctionCode code_of(Trend columns, Trend rows);
 /// corner or a ┬, where the preview of a T or a cross has its stem or bar reach the image's top.
 bool line_ends_ahead(const PixelDensities& densities);
 
+/// What the published recogniser reads of one frame.
 struct DensityReading {
   JunctionCode code = JunctionCode::unrecognised;
   bool line_ends_ahead = false;

@@ -15,6 +15,7 @@ struct JunctionArm {
   bool leaves_view = true;  ///< its paint goes on to the edge of the image
 };
 
+/// When an arm counts as visible, in pixels of the resized 400×400 frame.
 struct ArmVisibility {
   double min_px = 20.0;  ///< the arm beyond the node's square measures at least this along x and along y
   /// Less than this is asked of the side across the arm: 50 mm tape seen from 0.5 m measures 20.0 px, and a

@@ -16,6 +16,7 @@ struct BorderPoint {
   double length;           ///< of the border that this point stands for, normalised units
 };
 
+/// How densely a mask is scanned for the borders of the paint.
 struct BorderOptions {
   int stride_px = 4;              ///< every so many rows and columns are scanned: 1, 2, 4 or 8
   int max_crossings_a_line = 48;  ///< a scan line that toggles more often than this holds noise, not paint

@@ -7,6 +7,7 @@
 
 namespace lineservo::features {
 
+/// How the borders of a course are refined on the image.
 struct RefinerOptions {
   int passes = 3;
   int points_per_border = 600;  ///< at most, and none closer together than 1.5 px

@@ -21,6 +21,7 @@ struct FreeShape {
   bool taper = false;
 };
 
+/// A course with borders that may bend and converge, and how sure its parameters are.
 struct CurvedFit {
   CurvedCourse course;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of (offset at the foot, θ)

@@ -27,6 +27,7 @@ struct LineScene {
   std::optional<StripePrior> prior = std::nullopt;  ///< of the followed stripe, in the level camera
 };
 
+/// A line in the image, and on the floor where that is known.
 struct DetectedLine {
   ImageLine image;
   std::optional<LineFeature> level;  ///< in the virtual level camera, where the camera is known

@@ -7,6 +7,7 @@
 
 namespace lineservo::features {
 
+/// How many pairs are tried, and what supports a line.
 struct RansacOptions {
   int rounds = 200;
   double reach_px = 5.0;  ///< of a point from the line that it supports

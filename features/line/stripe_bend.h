@@ -8,6 +8,7 @@
 
 namespace lineservo::features {
 
+/// When a stripe counts as bent.
 struct BendOptions {
   double reach = 0.15;        ///< how far from the straight stripe's borders a bent one may run
   double significance = 6.0;  ///< standard deviations that a curvature must stand out

@@ -18,6 +18,7 @@ struct Wedge {
   double scatter = 0.0;      ///< of the border points about them, one σ
 };
 
+/// How far borders may converge and turn.
 struct WedgeOptions {
   double max_convergence = 0.5;                                 ///< borders that meet at up to 28°
   double max_turn_rad = 12.0 * 3.14159265358979323846 / 180.0;  ///< from the stripe that it starts from

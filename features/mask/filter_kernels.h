@@ -7,6 +7,7 @@
 
 namespace lineservo::features {
 
+/// Five rows of a packed mask, the middle one being filtered.
 struct FiveRows {
   const std::uint64_t* row[5];
 };

@@ -21,6 +21,7 @@ struct RedSectorClass {
   bool accepts(int b, int g, int r) const;
 };
 
+/// The tests of the path and of the start marker.
 struct RedSectorTest {
   RedSectorClass path, marker;
 };

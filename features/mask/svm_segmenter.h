@@ -8,6 +8,7 @@
 
 namespace lineservo::features {
 
+/// Margins of the support vector machine: positive is paint.
 struct SvmSegmenterOptions {
   double seed = 0.5;   ///< margins: surely paint
   double grow = -0.5;  ///< margins: paint where it touches paint; not above seed

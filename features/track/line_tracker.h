@@ -8,6 +8,7 @@
 
 namespace lineservo::features {
 
+/// Noise, gates and memory of the Kalman filter over the line to follow.
 struct LineTrackerOptions {
   double offset_acceleration_m_s2 = 1.0;   ///< standard deviation of the process noise, across the line
   double angle_acceleration_rad_s2 = 2.0;  ///< of the heading against the line

@@ -2,6 +2,7 @@
 
 namespace lineservo::servo {
 
+/// How the vehicle slows down before a place.
 struct ApproachOptions {
   double deceleration_m_s2 = 0.5;  ///< before a place to be slow at
   double response_s = 0.2;         ///< until the vehicle answers to a lower speed

@@ -6,6 +6,7 @@
 
 namespace lineservo::servo {
 
+/// Which turns are rounded without a stop, and how widely.
 struct CornerOptions {
   double deviation_m = 0.02;       ///< of the arc from the two edges, at most; 0: every turn is made at rest
   double acceleration_m_s2 = 0.5;  ///< towards the arc's centre

@@ -10,6 +10,7 @@
 
 namespace lineservo::servo {
 
+/// Parameters of the executive and of all that it is made of.
 struct ExecutiveOptions {
   double speed_m_s = 0.1;
   PhaseOptions phases;

@@ -10,6 +10,7 @@ namespace lineservo::servo {
 /// followed. Headings are of the dead reckoning.
 class LegCompass {
  public:
+  /// What counts as the line of the leg, and how fast its heading is learnt.
   struct Options {
     double off_rad = features::radians(14.0);  ///< what lies further off the heading is another line
     double time_constant_s = 20.0;             ///< with which the heading follows the line: the gyro drifts

@@ -10,6 +10,7 @@ namespace lineservo::servo {
 /// Follows the centre of one node from frame to frame, over dead reckoning while it is not seen.
 class NodeTracker {
  public:
+  /// Which sightings are of the node that is remembered, and how long it is.
   struct Options {
     double gate_m = 0.25;   ///< a sighting further from the prediction is another node
     double jump_m = 0.03;   ///< a sighting further from the prediction counts when the next one agrees

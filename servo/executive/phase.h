@@ -50,6 +50,7 @@ enum class AbortReason {
 
 std::string_view name(AbortReason reason);
 
+/// Tolerances and time limits of the phases.
 struct PhaseOptions {
   double height_m = 0.5;
   double height_tolerance_m = 0.03;

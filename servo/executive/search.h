@@ -8,6 +8,7 @@
 
 namespace lineservo::servo {
 
+/// How a line that went out of sight is looked for.
 struct SearchOptions {
   double wait_s = 1.0;  ///< at rest first: most of what goes out of sight comes back by itself
   double speed_m_s = 0.15;

@@ -2,6 +2,7 @@
 
 namespace lineservo::servo {
 
+/// How a turn on the spot is flown.
 struct TurnOptions {
   double gain_per_s = 2.0;
   double rate_limit_rad_s = 0.6;

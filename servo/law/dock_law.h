@@ -9,6 +9,7 @@
 
 namespace lineservo::servo {
 
+/// Gain and drift observer of docking, of the settings servo.dock.*.
 struct DockOptions {
   AdaptiveGain gain = {2.0, 0.9, 2.0};
   double drift_time_constant_s = 0.25;

@@ -27,13 +27,17 @@ struct LawTraits {
       false;  ///< it needs no heading: a line without branches it follows to the end by itself
 };
 
-/// A law that follows a line: features in, command out. Knows no plan, no clock, no camera.
+/// A law that follows a line: features in, command out. Knows no plan, no clock, no camera. Features lie in
+/// the level camera L as it was when the frame was taken, commands in the heading frame H as it is now
+/// (servo/conventions.md has the axes and signs). To add one of one's own: add_controller().
 class FollowLaw {
  public:
   virtual ~FollowLaw() = default;
   /// Forgets what it has accumulated on the leg before.
   virtual void reset() = 0;
-  /// One control tick. Without a line in view it keeps the vehicle level and sideways at rest.
+  /// One control tick: with every frame, and without one where none came in time. Without a line in view it
+  /// keeps the vehicle level and sideways at rest. What it says is limited by the executive, which brakes
+  /// when a value is not finite.
   virtual Command follow(const Observation& observation, const FollowGoal& goal) = 0;
   /// One tick above the target, for laws whose paper holds a place there. None: the vehicle brakes and stays.
   virtual std::optional<Command> hover(const Observation&, const FollowGoal&) { return std::nullopt; }

@@ -8,6 +8,7 @@
 
 namespace lineservo::servo {
 
+/// Parameters of `ibvs`, of the settings servo.ibvs.*.
 struct IbvsLineOptions {
   AdaptiveGain gain = {2.0, 0.9, 2.0};
   InteractionMatrix interaction = InteractionMatrix::current;

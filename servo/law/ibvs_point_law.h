@@ -14,6 +14,7 @@ enum class PathPoint {
   target,    ///< the virtual target point (vtp §3.1)
 };
 
+/// Parameters of `ibvs-centroid` and `ibvs-point`.
 struct IbvsPointOptions {
   AdaptiveGain gain = {2.0, 0.9, 2.0};
   double drift_time_constant_s = 0.4;

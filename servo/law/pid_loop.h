@@ -2,6 +2,7 @@
 
 namespace lineservo::servo {
 
+/// Gains of a PID loop: the output over the error, over its integral in seconds, and over its rate a second.
 struct PidGains {
   double kp = 0.0;
   double ki = 0.0;

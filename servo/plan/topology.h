@@ -16,12 +16,14 @@ struct TopologyArm {
   double width_m = 0.0;              ///< of the line
 };
 
+/// A place where lines meet or end.
 struct TopologyNode {
   std::string name;
   std::vector<TopologyArm> arms;
   bool has_disc = false;  ///< a red disc lies on it, which is all that a camera above it can tell
 };
 
+/// A way between two nodes.
 struct TopologyEdge {
   double length_m = 0.0;
   double sharpest_corner_rad = 0.0;  ///< by which the line turns at once between its nodes, ≥ 0

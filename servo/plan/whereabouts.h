@@ -8,6 +8,7 @@
 
 namespace lineservo::servo {
 
+/// Probabilities of what is told of a node, and how well the lengths of edges are known.
 struct WhereaboutsOptions {
   double length_tolerance = 0.2;  ///< of an edge's length: beyond, a node there is not believed
   double length_slack_m = 0.6;
@@ -34,6 +35,7 @@ class Whereabouts {
   struct Way {
     double at_least_m = 0.0, at_most_m = 0.0;
   };
+  /// One place where the vehicle may be.
   struct Belief {
     Arm arm;               ///< flown along
     bool on_node = false;  ///< at its end; otherwise on the way there

@@ -19,6 +19,7 @@ struct SafetyLimits {
   double max_blind_travel_m = 1.0;  ///< since paint was last in sight
 };
 
+/// What the autopilot may do, and what it takes the vehicle for.
 struct AutopilotOptions {
   SafetyLimits limits;
   /// What the autopilot takes the mass for, over what it is: a payload that nobody told it of.

@@ -7,6 +7,7 @@ namespace lineservo::vehicle {
 /// corrected towards v, so the correction never has to do what the lag forbids.
 class ReferenceAxis {
  public:
+  /// How the axis answers: a lag, then a second order, with a limit.
   struct Answer {
     double lag_s;
     double bandwidth_per_s;

@@ -15,6 +15,7 @@ struct GustParameters {
   double duration_s = 2.0;  ///< T
 };
 
+/// Mean wind, turbulence and one gust.
 struct WeatherParameters {
   double mean_m_s = 0.0;
   double direction_rad = 0.0;        ///< where it blows to, from +x counter-clockwise

@@ -7,6 +7,7 @@ namespace lineservo::vehicle {
 /// Kalman filter of three integrators in a row, ẋ₀ = x₁, ẋ₁ = x₂, ẋ₂ = noise, of which x₀ is measured.
 class ChainFilter {
  public:
+  /// What the filter takes to drive the chain, and to disturb its measurement.
   struct Noise {
     /// Spectral densities that drive x₀, x₁ and x₂.
     Eigen::Vector3d drive = Eigen::Vector3d::Zero();

@@ -16,11 +16,13 @@ namespace lineservo::vehicle {
 /// Paint, 8-bit blue, green, red.
 using Bgr = std::array<std::uint8_t, 3>;
 
+/// A place where lines meet or end.
 struct LayoutNode {
   std::string name;
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
 };
 
+/// A painted line between two nodes.
 struct LayoutEdge {
   std::size_t from = 0;  ///< index of a node
   std::size_t to = 0;
@@ -29,6 +31,7 @@ struct LayoutEdge {
   Bgr colour = {0, 200, 230};
 };
 
+/// A painted disc.
 struct LayoutMarker {
   Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
   double radius_m = 0.18;

@@ -24,6 +24,7 @@ struct JointDisc {
   Bgr colour = {};
 };
 
+/// All paint of a layout but its markers.
 struct Stripes {
   std::vector<Stripe> pieces;     ///< in the order of the edges
   std::vector<JointDisc> joints;  ///< painted below the pieces

@@ -19,6 +19,7 @@
 
 namespace lineservo::vehicle {
 
+/// The simulated camera, and what stands between the floor and its frames.
 struct SyntheticCameraOptions {
   features::CameraParameters camera;
   double frame_rate_hz = 30.0;  ///< 0.1 … 1000

@@ -16,6 +16,7 @@ struct SourceFormat {
   double rate_hz = 0.0;  ///< 0: the source does not say
 };
 
+/// One frame of a source.
 struct SourceFrame {
   std::int64_t index = 0;  ///< from 0
   /// Of files the index by the rate. Of live sources on the monotonic clock: the exposure where the driver

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -64,6 +65,70 @@ TEST(Controllers, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
   }
   EXPECT_THROW(find_controller(""), std::invalid_argument);
   EXPECT_THROW(find_controller("IBVS"), std::invalid_argument);
+}
+
+Controller own(const std::string& name) {
+  return {.name = name,
+          .summary = "none of those that ship",
+          .traits = {.servos_on_node = false},
+          .make = [](const LawOptions& o) { return std::make_unique<PidLaw>(o.pid); }};
+}
+
+std::string refusal(const Controller& controller) {
+  try {
+    add_controller(controller);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(OwnControllers, StandBehindThoseThatShip) {
+  const Controller& ibvs = find_controller("ibvs");
+  Controller controller = own("own-1");
+  controller.gains = {{.name = "kp", .value = 0.25, .low = 0.1, .high = 2.0}, {.name = "ki_per_s"}};
+  add_controller(controller);
+
+  EXPECT_EQ(&find_controller("ibvs"), &ibvs);  // where it was
+  EXPECT_EQ(&find_controller("own-1"), &controllers().back());
+  EXPECT_NE(controllers().back().make(LawOptions{}), nullptr);
+  EXPECT_EQ(LawOptions{}.own_gain("own-1.kp"), 0.25);
+  EXPECT_EQ(LawOptions{}.own_gain("own-1.ki_per_s"), 0.0);
+  EXPECT_THROW(LawOptions{}.own_gain("own-1.kd"), std::out_of_range);
+  EXPECT_EQ(refusal(controller), "controller 'own-1': its name is taken");
+}
+
+TEST(OwnControllers, NeedANameThatIsFreeAndPlain) {
+  for (const char* taken : {"ibvs", "vtp", "dock"})
+    EXPECT_THAT(refusal(own(taken)), AllOf(HasSubstr(taken), HasSubstr("taken")));
+  for (const char* name : {"", "Mine", "a b", "a,b", "a.b", "a/b", "-a", "2nd", "a_b", "größer", "a\n"})
+    EXPECT_THAT(refusal(own(name)), HasSubstr("lower-case letters")) << name;
+}
+
+TEST(OwnControllers, NeedALawAndMethodsThatThereAre) {
+  Controller controller = own("own-2");
+  controller.make = nullptr;
+  EXPECT_THAT(refusal(controller), HasSubstr("makes no law"));
+  controller = own("own-2");
+  controller.junction_method = "auto";
+  EXPECT_THAT(refusal(controller), HasSubstr("stripe or fpd"));
+  controller = own("own-2");
+  controller.needs.line_method = "hough";
+  EXPECT_THAT(refusal(controller), AllOf(HasSubstr("'hough'"), HasSubstr("combined")));
+}
+
+TEST(OwnControllers, NeedGainsWithinTheirRanges) {
+  const auto with = [](const std::vector<OwnGain>& gains) {
+    Controller controller = own("own-3");
+    controller.gains = gains;
+    return refusal(controller);
+  };
+  EXPECT_THAT(with({{.name = "kp", .value = 3.0, .high = 2.0}}), HasSubstr("'kp' is not between"));
+  EXPECT_THAT(with({{.name = "kp", .value = std::nan("")}}), HasSubstr("'kp' is not between"));
+  EXPECT_THAT(with({{.name = "kp"}, {.name = "kp"}}), HasSubstr("two gains 'kp'"));
+  for (const char* name : {"", "k p", "k.p", "_k", "k="})
+    EXPECT_THAT(with({{.name = name}}), HasSubstr("not a plain name")) << name;
+  EXPECT_THROW(find_controller("own-3"), std::invalid_argument);
 }
 
 }  // namespace
