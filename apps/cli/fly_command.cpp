@@ -19,7 +19,10 @@
 #include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 #include "apps/output/result_kind.h"
+#include "apps/overlay/flight_scene.h"
 #include "apps/recording/recorder.h"
+#include "apps/video/flight_video.h"
+#include "apps/view/live_view.h"
 
 namespace lineservo::apps {
 namespace {
@@ -29,7 +32,8 @@ struct FlyArguments {
   std::string target;
   std::optional<std::string> controller, layout, conditions, config, out, seed, speed;
   std::vector<std::string> overrides;
-  bool land = false, tuned = false, explain = false, json = false, record = false;
+  bool land = false, tuned = false, explain = false, json = false, record = false, video = false,
+       view = false;
 };
 
 void refuse_two_speeds(const FlyArguments& a) {
@@ -68,12 +72,50 @@ RecordingInfo recording_of(const FlightRequest& request) {
   return info;
 }
 
-TickListener listener_for(std::optional<Recorder>& recorder) {
-  if (!recorder) return {};
-  return [&recorder](const FlightTick& tick) {
+/// What goes along with a flight and looks on.
+struct Onlookers {
+  std::optional<Recorder> recorder;
+  std::optional<FlightVideo> video;
+  std::unique_ptr<LiveView> view;
+
+  void see(const FlightTick& tick) {
     const ChainOutput output{tick.features, tick.command};
-    recorder->add(tick.input, tick.bgr, {&output, 1});
-  };
+    if (recorder) recorder->add(tick.input, tick.bgr, {&output, 1});
+    if (video) video->add(tick);
+    if (view) view->show(scene_of(tick), tick.input);
+    if (const auto news = view ? view->take_news() : std::nullopt) say(*news);
+  }
+  bool any() const { return recorder || video || view; }
+  bool want_end() const { return view && view->wants_end(); }
+
+  static void say(const std::string& news) { fmt::print(stderr, "lineservo: fly: {}\n", news); }
+};
+
+void open_view(Onlookers& onlookers, const Mission& mission) {
+  std::string complaint;
+  onlookers.view = open_live_view(
+      flight_overlay(mission, View::keys()), fmt::format("lineservo fly {}", mission.request.instruction),
+      [] { return !interrupted(); }, complaint);
+  if (!onlookers.view) Onlookers::say(fmt::format("--view: {}; goes on without", complaint));
+}
+
+/// Throws InputError when there is no place for what they write.
+void invite(Onlookers& onlookers, const FlyArguments& a, const Mission& mission, ResultFolder* folder) {
+  if (a.record) onlookers.recorder.emplace(*folder, recording_of(mission.request));
+  if (a.video) onlookers.video.emplace(*folder, mission);
+  if (a.video && !onlookers.video->note().empty()) Onlookers::say(onlookers.video->note());
+  if (a.view) open_view(onlookers, mission);
+}
+
+void write(ResultFolder& folder, Onlookers& onlookers) {
+  if (onlookers.recorder)
+    onlookers.recorder->write();
+  else
+    leave_out_recording(folder);
+  if (onlookers.video)
+    onlookers.video->write();
+  else
+    leave_out_video(folder);
 }
 
 int fly(const FlyArguments& arguments) {
@@ -91,20 +133,19 @@ int fly(const FlyArguments& arguments) {
     keep_what_is_no_flights(*arguments.out, own);
     folder.emplace(*arguments.out, flight_files());
   }
-  std::optional<Recorder> recorder;
-  if (arguments.record) recorder.emplace(*folder, recording_of(request));
+  Onlookers onlookers;
+  invite(onlookers, arguments, mission, folder ? &*folder : nullptr);
 
   ProgressLine line(request.instruction);
   const auto [record, summary] = fly_mission(
       mission,
-      [&line](const FlightProgress& progress) {
+      [&](const FlightProgress& progress) {
         line.show(progress);
-        return !interrupted();
+        return !interrupted() && !onlookers.want_end();
       },
-      listener_for(recorder));
+      onlookers.any() ? TickListener([&](const FlightTick& tick) { onlookers.see(tick); }) : TickListener());
   line.clear();
-  if (recorder) recorder->write();
-  if (folder && !recorder) leave_out_recording(*folder);
+  if (folder) write(*folder, onlookers);
   if (folder) write_flight(*folder, mission, own, record, summary);
   if (arguments.json) {
     fmt::print("{}", json_text(to_json(request, summary), 2));
@@ -156,8 +197,18 @@ void add_fly_command(CLI::App& app, int& exit_code) {
                  "keep the frames, estimates and commands in the folder of --out, each with its hash, for "
                  "lineservo replay and watch")
       ->needs(out);
+  command
+      ->add_flag("--video", a.video,
+                 "write flight.mp4 into the folder of --out: what the camera saw, with what was seen and "
+                 "commanded and "
+                 "a map, in real time")
+      ->needs(out);
+  CLI::Option* view = command->add_flag(
+      "--view", a.view,
+      "show the camera, what is seen and commanded, a map and plots in windows, in real time; "
+      "space pauses, n steps, f goes as fast as it can, q quits");
   CLI::Option* json = command->add_flag("--json", a.json, "print summary.json instead of the short report");
-  for (CLI::Option* other : {out, json}) explain->excludes(other);
+  for (CLI::Option* other : {out, view, json}) explain->excludes(other);
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });
 }
 

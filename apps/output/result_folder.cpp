@@ -93,8 +93,12 @@ void ResultFolder::write(const std::string& name, const std::string& content) {
   put(reserve(name), folder_ / name, content);
 }
 
-fs::path ResultFolder::reserve(const std::string& name) {
+fs::path ResultFolder::reserve(const std::string& name, const std::string& owner) {
   check(name);
+  std::error_code error;
+  if (!owner.empty() && fs::exists(folder_ / name, error) && !fs::exists(folder_ / owner, error))
+    throw InputError(fmt::format("{}: is there already, and not from an earlier run: it is not replaced",
+                                 (folder_ / name).string()));
   names_.push_back(name);
   return aside(name);
 }

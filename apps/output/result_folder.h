@@ -29,8 +29,9 @@ class ResultFolder {
   /// Writes a file aside. Throws InputError (disk full, no permission, a name that is not free).
   void write(const std::string& name, const std::string& content);
   /// Where someone else is to write a file of this name, aside; with the same ending, for those who go by it.
-  /// Throws InputError as check() does.
-  std::filesystem::path reserve(const std::string& name);
+  /// Throws InputError as check() does, and when a file of the name is there without `owner`, a file of the
+  /// earlier set, beside it.
+  std::filesystem::path reserve(const std::string& name, const std::string& owner = {});
   /// What was reserved or written under this name goes, and an earlier file of the name stays.
   void give_up(const std::string& name);
   /// Begins a folder of results, aside. One of this name may stand there already when `owner`, a file of the
