@@ -8,6 +8,7 @@
 
 #include "apps/cli/flight_printer.h"
 #include "apps/cli/interrupt.h"
+#include "apps/cli/onlookers.h"
 #include "apps/cli/program.h"
 #include "apps/config/flight_request.h"
 #include "apps/config/input_error.h"
@@ -19,10 +20,6 @@
 #include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 #include "apps/output/result_kind.h"
-#include "apps/overlay/flight_scene.h"
-#include "apps/recording/recorder.h"
-#include "apps/video/flight_video.h"
-#include "apps/view/live_view.h"
 
 namespace lineservo::apps {
 namespace {
@@ -65,59 +62,6 @@ FlightRequest request_of(const FlyArguments& a) {
   return request;
 }
 
-RecordingInfo recording_of(const FlightRequest& request) {
-  RecordingInfo info;
-  info.source = request.instruction;
-  info.controllers = {request.controller};
-  return info;
-}
-
-/// What goes along with a flight and looks on.
-struct Onlookers {
-  std::optional<Recorder> recorder;
-  std::optional<FlightVideo> video;
-  std::unique_ptr<LiveView> view;
-
-  void see(const FlightTick& tick) {
-    const ChainOutput output{tick.features, tick.command};
-    if (recorder) recorder->add(tick.input, tick.bgr, {&output, 1});
-    if (video) video->add(tick);
-    if (view) view->show(scene_of(tick), tick.input);
-    if (const auto news = view ? view->take_news() : std::nullopt) say(*news);
-  }
-  bool any() const { return recorder || video || view; }
-  bool want_end() const { return view && view->wants_end(); }
-
-  static void say(const std::string& news) { fmt::print(stderr, "lineservo: fly: {}\n", news); }
-};
-
-void open_view(Onlookers& onlookers, const Mission& mission) {
-  std::string complaint;
-  onlookers.view = open_live_view(
-      flight_overlay(mission, View::keys()), fmt::format("lineservo fly {}", mission.request.instruction),
-      [] { return !interrupted(); }, complaint);
-  if (!onlookers.view) Onlookers::say(fmt::format("--view: {}; goes on without", complaint));
-}
-
-/// Throws InputError when there is no place for what they write.
-void invite(Onlookers& onlookers, const FlyArguments& a, const Mission& mission, ResultFolder* folder) {
-  if (a.record) onlookers.recorder.emplace(*folder, recording_of(mission.request));
-  if (a.video) onlookers.video.emplace(*folder, mission);
-  if (a.video && !onlookers.video->note().empty()) Onlookers::say(onlookers.video->note());
-  if (a.view) open_view(onlookers, mission);
-}
-
-void write(ResultFolder& folder, Onlookers& onlookers) {
-  if (onlookers.recorder)
-    onlookers.recorder->write();
-  else
-    leave_out_recording(folder);
-  if (onlookers.video)
-    onlookers.video->write();
-  else
-    leave_out_video(folder);
-}
-
 int fly(const FlyArguments& arguments) {
   const Mission mission = prepare(request_of(arguments));
   const FlightRequest& request = mission.request;
@@ -133,9 +77,7 @@ int fly(const FlyArguments& arguments) {
     keep_what_is_no_flights(*arguments.out, own);
     folder.emplace(*arguments.out, flight_files());
   }
-  Onlookers onlookers;
-  invite(onlookers, arguments, mission, folder ? &*folder : nullptr);
-
+  Onlookers onlookers(arguments.looks, mission, folder ? &*folder : nullptr);
   ProgressLine line(request.instruction);
   const auto [record, summary] = fly_mission(
       mission,
@@ -143,9 +85,9 @@ int fly(const FlyArguments& arguments) {
         line.show(progress);
         return !interrupted() && !onlookers.want_end();
       },
-      onlookers.any() ? TickListener([&](const FlightTick& tick) { onlookers.see(tick); }) : TickListener());
+      onlookers.listener());
   line.clear();
-  if (folder) write(*folder, onlookers);
+  if (folder) onlookers.write(*folder);
   if (folder) write_flight(*folder, mission, own, record, summary);
   if (arguments.json) {
     fmt::print("{}", json_text(to_json(request, summary), 2));
@@ -193,18 +135,18 @@ void add_fly_command(CLI::App& app, int& exit_code) {
                                          "report.html, and mission.yaml, layout.yaml and "
                                          "conditions.yaml when they are your own");
   command
-      ->add_flag("--record", a.record,
+      ->add_flag("--record", a.looks.record,
                  "keep the frames, estimates and commands in the folder of --out, each with its hash, for "
                  "lineservo replay and watch")
       ->needs(out);
   command
-      ->add_flag("--video", a.video,
+      ->add_flag("--video", a.looks.video,
                  "write flight.mp4 into the folder of --out: what the camera saw, with what was seen and "
                  "commanded and "
                  "a map, in real time")
       ->needs(out);
   CLI::Option* view = command->add_flag(
-      "--view", a.view,
+      "--view", a.looks.view,
       "show the camera, what is seen and commanded, a map and plots in windows, in real time; "
       "space pauses, n steps, f goes as fast as it can, q quits");
   CLI::Option* json = command->add_flag("--json", a.json, "print summary.json instead of the short report");

@@ -21,7 +21,7 @@ OverlayScene scene_of(const Watched& watched) {
   scene.law_view = watched.chain.law_view();
   scene.command = output.command;
   scene.time_s = servo::seconds(watched.tick.input.now);
-  scene.height_m = watched.tick.input.height_m;
+  scene.height_m = watched.tick.input.estimate.height_m;
   return scene;
 }
 

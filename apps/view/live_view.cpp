@@ -19,7 +19,7 @@ PlotSample sample_of(const OverlayScene& scene, const TickInput& input) {
     rho = line->rho;
     theta_rad = line->theta_rad;
   }
-  if (seen.junction) junction_m = seen.junction->centre.vector().norm() * input.capture_height_m;
+  if (seen.junction) junction_m = seen.junction->centre.vector().norm() * input.estimate.capture_height_m;
   auto& [forward, left, yaw_rate, forward_estimated, left_estimated] = sample.velocities;
   if (const auto* velocity = std::get_if<servo::VelocityCommand>(&scene.command)) {
     forward = velocity->forward_m_s;
@@ -28,8 +28,8 @@ PlotSample sample_of(const OverlayScene& scene, const TickInput& input) {
   } else if (const auto* attitude = std::get_if<servo::AttitudeCommand>(&scene.command)) {
     yaw_rate = attitude->yaw_rate_rad_s;
   }
-  forward_estimated = input.v_H_m_s.x();
-  left_estimated = input.v_H_m_s.y();
+  forward_estimated = input.estimate.v_H_m_s.x();
+  left_estimated = input.estimate.v_H_m_s.y();
   return sample;
 }
 

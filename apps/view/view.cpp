@@ -29,7 +29,7 @@ View::View(std::unique_ptr<ViewWindow> window, ViewPace pace, std::function<bool
       clock_(std::move(clock)) {}
 
 std::vector<std::string> View::keys() {
-  return {"space: pause, go on   n: step", "f: fast, real time    q: quit"};
+  return {"space: pause     n: one step", "f: fast, real time    q: quit"};
 }
 
 void View::show(double time_s, const std::function<const cv::Mat&()>& draw, const PlotSample& sample) {

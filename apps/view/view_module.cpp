@@ -99,7 +99,7 @@ struct Picture {
 struct Plots {
   Plots(const WindowSpec& spec)
       : plot(2, 640, 560, spec.size.width + 30, 0, spec.title + ": features and velocities") {
-    init(kFeatures, "Features", "", 1.0,
+    init(kFeatures, "Features", "", 0.8,
          {{"line rho", kBlue}, {"line theta [rad]", kVermilion}, {"junction [m]", kGreen}});
     init(kVelocities, "Velocities", "", 0.4,
          {{"forward, commanded [m/s]", kBlue},

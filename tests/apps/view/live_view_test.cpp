@@ -26,7 +26,7 @@ TEST(PlotSample, HasTheFirstLineTheJunctionsDistanceAndTheCommand) {
   scene.features.junction.emplace();
   scene.features.junction->centre = {0.3, -0.4};
   TickInput input;
-  input.capture_height_m = 0.8;
+  input.estimate.capture_height_m = 0.8;
   const PlotSample sample = sample_of(scene, input);
   EXPECT_EQ(sample.time_s, 3.5);
   EXPECT_EQ(sample.features[0], 0.2);
