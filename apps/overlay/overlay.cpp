@@ -15,8 +15,8 @@
 namespace lineservo::apps {
 namespace {
 
-constexpr int kLeastWidth_px = 640;
-constexpr double kUsualHeight_px = 480.0;  // for which the sizes below are meant
+constexpr int kLeastWidth_px = 640, kMostHeight_px = 1080;  // of an enlarged frame
+constexpr double kUsualHeight_px = 480.0;                   // for which the sizes below are meant
 
 // The panel, at scale 1.
 constexpr double kPanelWidth = 214.0, kMargin = 12.0;
@@ -28,6 +28,11 @@ const Stroke kLabel{ink::kLabel, 1.0}, kValue{ink::kText, 1.0};
 
 int even(double side_px) {
   return 2 * static_cast<int>(std::ceil(0.5 * side_px));
+}
+
+int zoom_of(const features::CameraParameters& camera) {
+  const int wanted = (kLeastWidth_px + camera.width_px - 1) / camera.width_px;
+  return std::max(1, std::min(wanted, kMostHeight_px / camera.height_px));
 }
 
 struct Row {
@@ -76,9 +81,7 @@ void draw_row(Canvas& panel, double foot, const Row& row) {
 }  // namespace
 
 Overlay::Overlay(const features::CameraParameters& camera, OverlayOptions options)
-    : camera_(camera),
-      options_(std::move(options)),
-      zoom_(std::max(1, (kLeastWidth_px + camera.width_px - 1) / camera.width_px)) {
+    : camera_(camera), options_(std::move(options)), zoom_(zoom_of(camera)) {
   frame_place_ = {0, 0, camera.width_px * zoom_, camera.height_px * zoom_};
   scale_ = std::max(1.0, frame_place_.height / kUsualHeight_px);
   picture_.create(even(std::max<double>(frame_place_.height, kUsualHeight_px * scale_)),

@@ -20,7 +20,7 @@ struct OverlayOptions {
 
 /// Draws what the vehicle sees and does: the camera's frame with the features and the command on it and,
 /// beside it, a panel with the map, the phase, the codes seen and expected, and the command in numbers.
-/// Frames of less than 640 px are enlarged by a whole factor.
+/// Frames narrower than 640 px are enlarged by a whole factor, to 1080 px of height at most.
 class Overlay {
  public:
   /// `map`: the floor and the plan, where they are known. Throws std::invalid_argument for a camera that is

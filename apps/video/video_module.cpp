@@ -28,10 +28,12 @@ class OpenCvSink final : public VideoSink {
 
   bool is_open() const { return writer_.isOpened(); }
 
-  void write(const cv::Mat& bgr) override {
+  void write(const cv::Mat& bgr) override try {
     const QuietStderr quiet;
-    writer_.write(bgr);
     ++frames_;
+    writer_.write(bgr);
+  } catch (const cv::Exception&) {
+    failed_ = true;
   }
 
   bool finish() override try {
@@ -39,8 +41,8 @@ class OpenCvSink final : public VideoSink {
     writer_.release();
     cv::VideoCapture reader(spec_.path, cv::CAP_FFMPEG);
     if (!reader.isOpened()) reader.open(spec_.path);
-    return reader.isOpened() && reader.get(cv::CAP_PROP_FRAME_COUNT) >= static_cast<double>(frames_) &&
-           shows(reader, frames_ - 1);
+    return !failed_ && reader.isOpened() &&
+           reader.get(cv::CAP_PROP_FRAME_COUNT) >= static_cast<double>(frames_) && shows(reader, frames_ - 1);
   } catch (const cv::Exception&) {
     return false;
   }
@@ -55,6 +57,7 @@ class OpenCvSink final : public VideoSink {
   VideoSpec spec_;
   cv::VideoWriter writer_;
   long frames_ = 0;
+  bool failed_ = false;
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ bool is_inside(const cv::Mat& bgr, cv::Point2d at) {
 // In wind, so that the camera tilts.
 TEST(FlightScene, WhatIsSeenLiesOnThePaintOfTheFrame) {
   FlightRequest request = testing::request_for("a13", "paper");
+  request.layout = "tape-warehouse";  // narrow lines
   apply_override(request, "wind.mean_m_s=2");
   apply_override(request, "speed_m_s=0.5");
   apply_override(request, "time_limit_s=14");
