@@ -8,6 +8,7 @@
 
 #include "apps/cli/flight_printer.h"
 #include "apps/cli/interrupt.h"
+#include "apps/cli/onlookers.h"
 #include "apps/cli/program.h"
 #include "apps/config/flight_request.h"
 #include "apps/config/input_error.h"
@@ -19,7 +20,6 @@
 #include "apps/output/json_text.h"
 #include "apps/output/result_folder.h"
 #include "apps/output/result_kind.h"
-#include "apps/recording/recorder.h"
 
 namespace lineservo::apps {
 namespace {
@@ -29,7 +29,8 @@ struct FlyArguments {
   std::string target;
   std::optional<std::string> controller, layout, conditions, config, out, seed, speed;
   std::vector<std::string> overrides;
-  bool land = false, tuned = false, explain = false, json = false, record = false;
+  bool land = false, tuned = false, explain = false, json = false, record = false, video = false,
+       view = false;
 };
 
 void refuse_two_speeds(const FlyArguments& a) {
@@ -61,21 +62,6 @@ FlightRequest request_of(const FlyArguments& a) {
   return request;
 }
 
-RecordingInfo recording_of(const FlightRequest& request) {
-  RecordingInfo info;
-  info.source = request.instruction;
-  info.controllers = {request.controller};
-  return info;
-}
-
-TickListener listener_for(std::optional<Recorder>& recorder) {
-  if (!recorder) return {};
-  return [&recorder](const FlightTick& tick) {
-    const ChainOutput output{tick.features, tick.command};
-    recorder->add(tick.input, tick.bgr, {&output, 1});
-  };
-}
-
 int fly(const FlyArguments& arguments) {
   const Mission mission = prepare(request_of(arguments));
   const FlightRequest& request = mission.request;
@@ -91,20 +77,17 @@ int fly(const FlyArguments& arguments) {
     keep_what_is_no_flights(*arguments.out, own);
     folder.emplace(*arguments.out, flight_files());
   }
-  std::optional<Recorder> recorder;
-  if (arguments.record) recorder.emplace(*folder, recording_of(request));
-
+  Onlookers onlookers(arguments.looks, mission, folder ? &*folder : nullptr);
   ProgressLine line(request.instruction);
   const auto [record, summary] = fly_mission(
       mission,
-      [&line](const FlightProgress& progress) {
+      [&](const FlightProgress& progress) {
         line.show(progress);
-        return !interrupted();
+        return !interrupted() && !onlookers.want_end();
       },
-      listener_for(recorder));
+      onlookers.listener());
   line.clear();
-  if (recorder) recorder->write();
-  if (folder && !recorder) leave_out_recording(*folder);
+  if (folder) onlookers.write(*folder);
   if (folder) write_flight(*folder, mission, own, record, summary);
   if (arguments.json) {
     fmt::print("{}", json_text(to_json(request, summary), 2));
@@ -152,12 +135,22 @@ void add_fly_command(CLI::App& app, int& exit_code) {
                                          "report.html, and mission.yaml, layout.yaml and "
                                          "conditions.yaml when they are your own");
   command
-      ->add_flag("--record", a.record,
+      ->add_flag("--record", a.looks.record,
                  "keep the frames, estimates and commands in the folder of --out, each with its hash, for "
                  "lineservo replay and watch")
       ->needs(out);
+  command
+      ->add_flag("--video", a.looks.video,
+                 "write flight.mp4 into the folder of --out: what the camera saw, with what was seen and "
+                 "commanded and "
+                 "a map, in real time")
+      ->needs(out);
+  CLI::Option* view = command->add_flag(
+      "--view", a.looks.view,
+      "show the camera, what is seen and commanded, a map and plots in windows, in real time; "
+      "space pauses, n steps, f goes as fast as it can, q quits");
   CLI::Option* json = command->add_flag("--json", a.json, "print summary.json instead of the short report");
-  for (CLI::Option* other : {out, json}) explain->excludes(other);
+  for (CLI::Option* other : {out, view, json}) explain->excludes(other);
   command->callback([arguments, &exit_code] { exit_code = fly(*arguments); });
 }
 

@@ -11,6 +11,8 @@
 #include "apps/cli/list_option.h"
 #include "apps/cli/number_option.h"
 #include "apps/cli/program.h"
+#include "apps/overlay/watch_scene.h"
+#include "apps/view/live_view.h"
 #include "apps/watch/open_watch.h"
 #include "apps/watch/watch.h"
 #include "apps/watch/watch_results.h"
@@ -25,6 +27,7 @@ struct WatchArguments {
   WatchRequest request;
   std::optional<std::string> out, record;
   int frames = kMostFrames;
+  bool view = false;
 };
 
 /// What was got is kept, however it ended. Ctrl-C is how watching a camera ends; files end by themselves.
@@ -37,6 +40,20 @@ int told(const WatchEnd& end, const WatchFeed& feed) {
   return is_done ? kDone : kFailed;
 }
 
+std::unique_ptr<LiveView> view_of(const OpenWatch& opened, const std::string& source) {
+  std::string complaint;
+  auto view = open_live_view(
+      watch_overlay(opened, source, View::keys()), "lineservo watch " + source, [] { return !interrupted(); },
+      complaint);
+  if (!view) fmt::print(stderr, "lineservo: watch: --view: {}; goes on without\n", complaint);
+  return view;
+}
+
+void show(LiveView& view, const Watched& watched) {
+  view.show(scene_of(watched), watched.tick.input);
+  if (const auto news = view.take_news()) fmt::print(stderr, "lineservo: watch: {}\n", *news);
+}
+
 int run_watch(const WatchArguments& arguments) {
   OpenWatch opened = open_watch(arguments.request);
   WatchChains chains(opened.feed->camera(), opened.request.settings, opened.controllers);
@@ -45,12 +62,14 @@ int run_watch(const WatchArguments& arguments) {
   const bool prints = !arguments.out;
   WatchOptions options;
   options.frames = arguments.frames;
-  options.goes_on = [] { return !interrupted(); };
+  const auto view = arguments.view ? view_of(opened, arguments.request.source) : nullptr;
+  options.goes_on = [&view] { return !interrupted() && !(view && view->wants_end()); };
   if (prints) fmt::print("{}", watch_header(opened.controllers));
   const WatchEnd end = watch(*opened.feed, chains, options, [&](const Watched& watched) {
     const std::string row = results.add(watched);
     if (prints) fmt::print("{}", row);
     if (prints && opened.feed->is_live()) std::fflush(stdout);
+    if (view) show(*view, watched);
   });
   results.publish();
   return told(end, *opened.feed);
@@ -97,6 +116,9 @@ void add_watch_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", arguments->out, "CSV file, in the place of standard output");
   command->add_option("--record", arguments->record,
                       "folder that keeps the frames, estimates and commands, for replay");
+  command->add_flag("--view", arguments->view,
+                    "show the frames, what is seen and commanded, and plots in windows, in real time; "
+                    "space pauses, n steps, f goes as fast as it can, q quits");
   command->callback([arguments, &exit_code] { exit_code = run_watch(*arguments); });
 }
 

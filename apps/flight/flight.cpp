@@ -231,7 +231,9 @@ void Flight::tick(const vehicle::Frame* frame) {
   }
   send(command);
   log(input, command);
-  if (on_tick_) on_tick_({input, frame ? &frame->bgr : nullptr, chain_.observation().features, command});
+  if (on_tick_)
+    on_tick_({input, frame ? &frame->bgr : nullptr, chain_.observation().features, command, chain_,
+              record_.ticks.back().now});
 }
 
 void Flight::watch_autopilot() {

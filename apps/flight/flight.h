@@ -30,6 +30,8 @@ struct FlightTick {
   const cv::Mat* bgr;  ///< none when the tick went on without a frame
   const features::FrameFeatures& features;
   const servo::Command& command;
+  const MissionChain& chain;  ///< what made them
+  const TruthSample& truth;   ///< now
 };
 using TickListener = std::function<void(const FlightTick&)>;
 

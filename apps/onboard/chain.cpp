@@ -23,6 +23,7 @@ Chain::Chain(const features::CameraParameters& camera, const Settings& settings,
              const servo::Controller& controller)
     : perception_(features::CameraModel(camera), perception_options(settings.features, controller)),
       corrects_tilt_(settings.features.tilt_correction),
+      law_corrects_tilt_(controller.needs.tilt_corrected),
       faults_(software_faults(settings.faults)) {}
 
 features::FrameFeatures Chain::see(const TickInput& input, const cv::Mat& bgr) {
@@ -32,6 +33,7 @@ features::FrameFeatures Chain::see(const TickInput& input, const cv::Mat& bgr) {
   context.since_last_s = ticks_ == 0 ? 0.0 : servo::seconds(input.exposed - last_exposed_);
   context.on_the_way = on_the_way();
   last_exposed_ = input.exposed;
+  view_ = context.view;
   features::FrameFeatures features = perception_.observe(bgr, context);
   spoil(features, faults_, input.exposed);
   return features;

@@ -30,6 +30,12 @@ class Chain {
 
   /// What the last command rests on.
   const servo::Observation& observation() const { return observation_; }
+  /// The path in the last frame that was seen; there must have been one.
+  const features::PackedMask& mask() const { return perception_.mask(); }
+  /// The level camera of the last frame that was seen, in which its features lie.
+  const features::LevelView& view() const { return view_; }
+  /// The camera in which the law's own features lie: level, or as it hangs.
+  features::LevelView law_view() const { return law_corrects_tilt_ ? view_ : features::LevelView(); }
 
  protected:
   /// The vehicle follows an edge, rather than being placed or turned on the spot.
@@ -38,7 +44,8 @@ class Chain {
 
  private:
   features::Perception perception_;
-  bool corrects_tilt_;
+  bool corrects_tilt_, law_corrects_tilt_;
+  features::LevelView view_;
   SoftwareFaultOptions faults_;
   servo::Time last_exposed_{0};  ///< of the last frame that perception saw
   long ticks_ = 0;

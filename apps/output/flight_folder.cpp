@@ -64,9 +64,9 @@ void keep_bitmap(ResultFolder& folder, const std::optional<OwnFiles::Image>& bit
 }  // namespace
 
 const std::vector<std::string>& flight_files() {
-  static const std::vector<std::string> kFiles = {"mission.yaml", "layout.yaml", "conditions.yaml",
-                                                  "flight.csv",   "events.csv",  "config.yaml",
-                                                  "report.html",  "summary.json"};
+  static const std::vector<std::string> kFiles = {
+      "mission.yaml", "layout.yaml", "conditions.yaml", "flight.csv", "events.csv",
+      "config.yaml",  "report.html", "flight.mp4",      "flight.avi", "summary.json"};
   return kFiles;
 }
 

@@ -76,7 +76,7 @@ ResultFolder::~ResultFolder() {
 }
 
 fs::path ResultFolder::aside(const std::string& name) const {
-  return folder_ / (name + suffix_);
+  return folder_ / (name + suffix_ + fs::path(name).extension().string());
 }
 
 void ResultFolder::check(const std::string& name) const {
@@ -90,9 +90,28 @@ void ResultFolder::check(const std::string& name) const {
 }
 
 void ResultFolder::write(const std::string& name, const std::string& content) {
+  put(reserve(name), folder_ / name, content);
+}
+
+fs::path ResultFolder::reserve(const std::string& name, const std::string& owner) {
   check(name);
+  std::error_code error;
+  if (!owner.empty() && fs::exists(folder_ / name, error) && !fs::exists(folder_ / owner, error))
+    throw InputError(fmt::format("{}: is there already, and not from an earlier run: it is not replaced",
+                                 (folder_ / name).string()));
   names_.push_back(name);
-  put(aside(name), folder_ / name, content);
+  return aside(name);
+}
+
+void ResultFolder::give_up(const std::string& name) {
+  std::error_code ignored;
+  fs::remove(aside(name), ignored);
+  std::erase(names_, name);
+}
+
+void ResultFolder::leave_out(const std::string& name, const std::string& owner) {
+  std::error_code error;
+  if (fs::exists(folder_ / owner, error)) leave_out(name);
 }
 
 void ResultFolder::put(const fs::path& file, const fs::path& name, const std::string& content) const {

@@ -28,6 +28,12 @@ class ResultFolder {
   void check(const std::string& name) const;
   /// Writes a file aside. Throws InputError (disk full, no permission, a name that is not free).
   void write(const std::string& name, const std::string& content);
+  /// Where someone else is to write a file of this name, aside; with the same ending, for those who go by it.
+  /// Throws InputError as check() does, and when a file of the name is there without `owner`, a file of the
+  /// earlier set, beside it.
+  std::filesystem::path reserve(const std::string& name, const std::string& owner = {});
+  /// What was reserved or written under this name goes, and an earlier file of the name stays.
+  void give_up(const std::string& name);
   /// Begins a folder of results, aside. One of this name may stand there already when `owner`, a file of the
   /// earlier set, stands beside it and all that it holds are files numbered as numbered() does with this
   /// ending: it is replaced. Else throws InputError.
@@ -38,6 +44,8 @@ class ResultFolder {
   void leave_out_folder(const std::string& name, const std::string& ending, const std::string& owner);
   /// A file of an earlier set that this one does not have: it goes when this one is published.
   void leave_out(const std::string& name) { left_out_.push_back(name); }
+  /// The same when `owner`, a file of the earlier set, stands beside it. Others stay.
+  void leave_out(const std::string& name, const std::string& owner);
   /// Renames everything written to its final name: the seal after all, the folder begun just before it.
   void publish();
 

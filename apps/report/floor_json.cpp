@@ -10,8 +10,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kArcStep_rad = 0.05;
-
 double millimetres(double length_m) {
   return std::round(length_m * 1e3) / 1e3;
 }
@@ -24,26 +22,15 @@ std::string css(const vehicle::Bgr& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[2], colour[1], colour[0]);
 }
 
-/// The ends of straight pieces, and arcs in steps; the last point is left to what follows.
-void append_points(ordered_json& points, const TravelledEdge& edge) {
-  const vehicle::Curve& curve = *edge.curve;
-  std::vector<vehicle::CurvePiece> pieces = curve.pieces();
-  if (edge.reversed) std::reverse(pieces.begin(), pieces.end());
-  double begin_m = 0.0;
-  for (const vehicle::CurvePiece& piece : pieces) {
-    const double bend_rad = std::abs(piece.curvature_inv_m) * piece.length_m;
-    const int steps = std::max(1, static_cast<int>(std::ceil(bend_rad / kArcStep_rad)));
-    for (int k = 0; k < steps; ++k)
-      points.push_back(json_of(travelled_point(edge, begin_m + piece.length_m * k / steps).p_W));
-    begin_m += piece.length_m;
-  }
-}
-
+/// Of edges that follow on each other; a point that two share counts once.
 ordered_json polyline(const std::vector<TravelledEdge>& edges) {
   ordered_json points = ordered_json::array();
-  for (const TravelledEdge& edge : edges) append_points(points, edge);
-  if (!edges.empty())
-    points.push_back(json_of(travelled_point(edges.back(), edges.back().curve->length_m()).p_W));
+  for (const TravelledEdge& edge : edges) {
+    std::vector<Eigen::Vector2d> outline = edge.curve->outline();
+    if (edge.reversed) std::reverse(outline.begin(), outline.end());
+    if (!points.empty()) points.erase(points.size() - 1);
+    for (const Eigen::Vector2d& p_W : outline) points.push_back(json_of(p_W));
+  }
   return points;
 }
 

@@ -17,6 +17,7 @@ namespace lineservo::apps {
 struct Watched {
   const WatchTick& tick;
   const std::vector<ChainOutput>& outputs;
+  const Chain& chain;              ///< of the first controller
   double perception_ms = 0.0;      ///< of the first controller, by the wall clock
   std::optional<double> delay_ms;  ///< of live sources: from the exposure until all have said their command
 };

@@ -106,6 +106,19 @@ std::vector<Curve> Curve::parts() const {
   return parts;
 }
 
+std::vector<Eigen::Vector2d> Curve::outline(double arc_step_rad) const {
+  std::vector<Eigen::Vector2d> points;
+  double begin_m = 0.0;
+  for (const CurvePiece& piece : pieces_) {
+    const double bend_rad = std::abs(piece.curvature_inv_m) * piece.length_m;
+    const int steps = std::max(1, static_cast<int>(std::ceil(bend_rad / arc_step_rad)));
+    for (int k = 0; k < steps; ++k) points.push_back(at(begin_m + piece.length_m * k / steps).p_W);
+    begin_m += piece.length_m;
+  }
+  if (!pieces_.empty()) points.push_back(at(length_m_).p_W);
+  return points;
+}
+
 CurvePoint Curve::at(double arc_length_m) const {
   if (pieces_.empty()) return {};
   double s_m = std::clamp(arc_length_m, 0.0, length_m_);

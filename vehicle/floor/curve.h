@@ -46,6 +46,9 @@ class Curve {
   std::vector<Curve> parts() const;
   /// The point at an arc length, clamped to the curve.
   CurvePoint at(double arc_length_m) const;
+  /// A polyline to draw it by: the ends of its pieces, and of arcs points that are no farther apart than this
+  /// angle.
+  std::vector<Eigen::Vector2d> outline(double arc_step_rad = 0.05) const;
   CurveProjection project(const Eigen::Vector2d& p_W) const;
 
  private:

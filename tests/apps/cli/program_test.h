@@ -41,11 +41,17 @@ class ProgramTest : public ::testing::Test {
   /// Ctrl-C, or another signal, once `begun` says so, within 20 s.
   Ran run_and_interrupt(const std::vector<std::string>& arguments, const std::function<bool()>& begun,
                         int signal = SIGINT) const {
+    return run_beside(arguments, [&begun, signal](pid_t child) {
+      for (int k = 0; k < 4000 && !begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      EXPECT_TRUE(begun());
+      ::kill(child, signal);
+    });
+  }
+  /// Does something while it runs.
+  Ran run_beside(const std::vector<std::string>& arguments, const std::function<void(pid_t)>& act) const {
     const std::filesystem::path out = temp_.path() / "stdout";
     const pid_t child = start(out, std::filesystem::current_path(), arguments, 0);
-    for (int k = 0; k < 4000 && !begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    EXPECT_TRUE(begun());
-    ::kill(child, signal);
+    act(child);
     return ended(child, out);
   }
   /// Bad input: exit code 2, one line on stderr, nothing on stdout. Returns the line.

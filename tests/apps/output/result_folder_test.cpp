@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include <csignal>
 #include <thread>
 
+#include "tests/apps/small_disk.h"
 #include "tests/apps/test_files.h"
 
 namespace lineservo::apps {
@@ -20,28 +20,8 @@ using ::testing::AllOf;
 using testing::complaint;
 using ::testing::HasSubstr;
 using testing::read_text;
+using testing::SmallDisk;
 using testing::TempFolder;
-
-/// No file may grow beyond so many bytes: what a full disk does to a writer.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-    signal_ = std::signal(SIGXFSZ, SIG_IGN);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
- private:
-  rlimit before_{};
-  void (*signal_)(int) = SIG_DFL;
-};
 
 TEST(ResultFolder, MakesTheFolderAndPublishesEveryFile) {
   const TempFolder temp;
@@ -171,6 +151,47 @@ TEST(ResultFolder, WhatASetLeavesOutGoesWithTheEarlierOne) {
   folder.publish();
   EXPECT_FALSE(fs::exists(temp.path() / "old.txt"));
   EXPECT_EQ(temp.count(), 2u);
+}
+
+TEST(ResultFolder, AFileThatSomeoneElseWritesIsPublishedWithTheOthers) {
+  const TempFolder temp;
+  ResultFolder folder(temp.path());
+  const fs::path aside = folder.reserve("film.mp4");
+  EXPECT_EQ(aside.extension(), ".mp4");
+  std::ofstream(aside) << "film";
+  folder.write("seal", "x");
+  EXPECT_FALSE(fs::exists(temp.path() / "film.mp4"));
+  folder.publish();
+  EXPECT_EQ(read_text(temp.path() / "film.mp4"), "film");
+  EXPECT_EQ(temp.count(), 2u);
+}
+
+TEST(ResultFolder, WhatIsGivenUpGoesAndAnEarlierFileStays) {
+  const TempFolder temp;
+  temp.write("film.mp4", "before");
+  ResultFolder folder(temp.path());
+  std::ofstream(folder.reserve("film.mp4")) << "half";
+  folder.give_up("film.mp4");
+  EXPECT_EQ(temp.count(), 1u);
+  folder.write("seal", "x");
+  folder.publish();
+  EXPECT_EQ(read_text(temp.path() / "film.mp4"), "before");
+}
+
+TEST(ResultFolder, AnEarlierFileGoesOnlyBesideItsOwner) {
+  const TempFolder temp;
+  temp.write("film.mp4", "mine");
+  const auto publish = [&temp] {
+    ResultFolder folder(temp.path());
+    folder.leave_out("film.mp4", "owner");
+    folder.write("seal", "x");
+    folder.publish();
+  };
+  publish();
+  EXPECT_EQ(read_text(temp.path() / "film.mp4"), "mine");
+  temp.write("owner", "x");
+  publish();
+  EXPECT_FALSE(fs::exists(temp.path() / "film.mp4"));
 }
 
 /// Whether the set in a folder is whole by its seal, the file written last; and if so, whether it is of one
