@@ -68,11 +68,17 @@ RecordingInfo recording_of(const FlightRequest& request) {
   return info;
 }
 
-TickListener listener_for(std::optional<Recorder>& recorder) {
-  if (!recorder) return {};
+TickListener listener_of(Recorder& recorder) {
   return [&recorder](const FlightTick& tick) {
     const ChainOutput output{tick.features, tick.command};
-    recorder->add(tick.input, tick.bgr, {&output, 1});
+    recorder.add(tick.input, tick.bgr, {&output, 1});
+  };
+}
+
+/// Each of them in turn.
+TickListener all_of(std::vector<TickListener> listeners) {
+  return [listeners = std::move(listeners)](const FlightTick& tick) {
+    for (const TickListener& listener : listeners) listener(tick);
   };
 }
 
@@ -95,24 +101,28 @@ int fly(const FlyArguments& arguments) {
   if (arguments.record) recorder.emplace(*folder, recording_of(request));
 
   ProgressLine line(request.instruction);
-  const auto [record, summary] = fly_mission(
+  FilmStrip film;
+  std::vector<TickListener> listeners;
+  if (folder) listeners.push_back(film.listener());
+  if (recorder) listeners.push_back(listener_of(*recorder));
+  const FlownMission flown = fly_mission(
       mission,
       [&line](const FlightProgress& progress) {
         line.show(progress);
         return !interrupted();
       },
-      listener_for(recorder));
+      all_of(listeners));
   line.clear();
   if (recorder) recorder->write();
   if (folder && !recorder) leave_out_recording(*folder);
-  if (folder) write_flight(*folder, mission, own, record, summary);
+  if (folder) write_flight(*folder, mission, own, flown, film);
   if (arguments.json) {
-    fmt::print("{}", json_text(to_json(request, summary), 2));
+    fmt::print("{}", json_text(to_json(request, flown.summary), 2));
   } else {
-    print_summary(request, record, summary);
+    print_summary(request, flown.record, flown.summary);
     if (arguments.out) fmt::print("written to {}\n", *arguments.out);
   }
-  return summary.succeeded() ? kDone : kFailed;
+  return flown.summary.succeeded() ? kDone : kFailed;
 }
 
 }  // namespace
