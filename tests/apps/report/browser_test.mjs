@@ -114,7 +114,7 @@ const colours = (page) =>
   page.$eval('#camera', async (picture) => {
     await picture.decode();
     const size = [picture.naturalWidth, picture.naturalHeight];
-    const canvas = new OffscreenCanvas(...size).getContext('2d');
+    const canvas = new OffscreenCanvas(...size).getContext('2d', { willReadFrequently: true });
     canvas.drawImage(picture, 0, 0);
     const at = (x, y) => {
       const [red, , blue] = canvas.getImageData(x, y, 1, 1).data;

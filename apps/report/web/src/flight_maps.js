@@ -1,7 +1,7 @@
 import { element, section } from './dom.js';
 import { centimetres, fixed } from './format.js';
 import { FloorMap, boundsOf } from './map.js';
-import { flownPath, paint, places, rings, trueWay } from './map_layers.js';
+import { flownPath, paint, places, rings, sideFor, trueWay } from './map_layers.js';
 import { ink } from './palette.js';
 
 export function maps(page, { ticks, floor, route, summary, published }) {
@@ -79,8 +79,6 @@ function endOf(path, target) {
 }
 
 function marks(path, { target, targets }, floor) {
-  const xs = floor.nodes.map((one) => one.at[0]),
-    middle_m = (Math.min(...xs) + Math.max(...xs)) / 2;
   const goals = targets
     ? targets.map((one) => ({ at: [one.x_m, one.y_m], text: one.target }))
     : [{ at: [target.x_m, target.y_m], text: `target ${target.node}` }];
@@ -90,7 +88,7 @@ function marks(path, { target, targets }, floor) {
       ...goal,
       symbol: 'diamond',
       size: 15,
-      position: goal.at[0] > middle_m ? 'left' : 'right',
+      position: sideFor(goal.at, floor),
     })),
   ];
 }
