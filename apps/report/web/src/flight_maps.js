@@ -10,7 +10,7 @@ export function maps(page, { ticks, floor, route, summary, published }) {
   const node = section(
     page,
     'Where it flew',
-    'Dashed: the true way. Blue: what was flown. Zoom with the buttons, a pinch, or Ctrl and the wheel; drag to move.',
+    'Dashed: the true way. Blue: what was flown. Dotted: where the vehicle’s own dead reckoning, which drifts, would have it. Zoom with the buttons, a pinch, or Ctrl and the wheel; drag to move.',
   );
   const pair = element('div', { class: 'pair' });
   node.append(pair);
@@ -22,6 +22,7 @@ export function maps(page, { ticks, floor, route, summary, published }) {
     layers: () => [
       paint(floor),
       trueWay(route),
+      flownPath('dead reckoning', reckonedOf(ticks), ink.grey, 'dotted'),
       flownPath('flown', path, ink.blue),
       places(marks(path, summary, floor)),
     ],
@@ -45,6 +46,8 @@ export function maps(page, { ticks, floor, route, summary, published }) {
 }
 
 const pathOf = ({ x_m, y_m }) => x_m.map((x, k) => [x, y_m[k]]);
+
+const reckonedOf = ({ reckoned_x_m: x_m, reckoned_y_m: y_m }) => pathOf({ x_m, y_m });
 
 function column(parent, title) {
   const node = element('div', {}, element('h3', {}, title));
