@@ -46,7 +46,7 @@ async function boxAbout(page, selectors) {
 }
 
 async function flight() {
-  const page = await reportOf('flight', ['fly', 'a13'], { height: 1000 });
+  const page = await reportOf('flight', ['fly', 'a13'], { height: 1190 });
   await page.$eval('#time', (slider) => {
     slider.value = 700;
     slider.dispatchEvent(new Event('input'));
@@ -71,8 +71,8 @@ async function layout() {
 const moments = [
   ['warehouse, a T to the left', 42, ['a13']],
   ['50 mm tape', 42.1, ['a13', '--layout', 'tape-warehouse']],
-  ['a corner of 45°', 66, ['c03']],
-  ['harsh: worn paint, dirt, glare, blur', 12, ['a13', '--conditions', 'harsh']],
+  ['a corner of 45°', 23, ['c03']],
+  ['harsh: worn and dirty paint, uneven light', 12, ['a13', '--conditions', 'harsh']],
 ];
 
 async function frames() {
