@@ -79,7 +79,7 @@ int fly(const FlyArguments& arguments) {
   }
   Onlookers onlookers(arguments.looks, mission, folder ? &*folder : nullptr);
   ProgressLine line(request.instruction);
-  const auto [record, summary] = fly_mission(
+  const FlownMission flown = fly_mission(
       mission,
       [&](const FlightProgress& progress) {
         line.show(progress);
@@ -88,14 +88,14 @@ int fly(const FlyArguments& arguments) {
       onlookers.listener());
   line.clear();
   if (folder) onlookers.write(*folder);
-  if (folder) write_flight(*folder, mission, own, record, summary);
+  if (folder) write_flight(*folder, mission, own, flown, onlookers.film());
   if (arguments.json) {
-    fmt::print("{}", json_text(to_json(request, summary), 2));
+    fmt::print("{}", json_text(to_json(request, flown.summary), 2));
   } else {
-    print_summary(request, record, summary);
+    print_summary(request, flown.record, flown.summary);
     if (arguments.out) fmt::print("written to {}\n", *arguments.out);
   }
-  return summary.succeeded() ? kDone : kFailed;
+  return flown.summary.succeeded() ? kDone : kFailed;
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ std::unique_ptr<LiveView> view_of(const Mission& mission) {
 
 }  // namespace
 
-Onlookers::Onlookers(const Looks& looks, const Mission& mission, ResultFolder* folder) {
+Onlookers::Onlookers(const Looks& looks, const Mission& mission, ResultFolder* folder)
+    : films_(folder != nullptr) {
   if (looks.record) recorder_.emplace(*folder, recording_of(mission.request));
   if (looks.video) video_.emplace(*folder, mission);
   if (video_ && !video_->note().empty()) say(video_->note());
@@ -40,11 +41,12 @@ Onlookers::Onlookers(const Looks& looks, const Mission& mission, ResultFolder* f
 }
 
 TickListener Onlookers::listener() {
-  if (!recorder_ && !video_ && !view_) return {};
+  if (!films_ && !recorder_ && !video_ && !view_) return {};
   return [this](const FlightTick& tick) { see(tick); };
 }
 
 void Onlookers::see(const FlightTick& tick) {
+  if (films_ && tick.bgr) film_.add(tick.input.now, *tick.bgr);
   const ChainOutput output{tick.features, tick.command};
   if (recorder_) recorder_->add(tick.input, tick.bgr, {&output, 1});
   if (video_) video_->add(tick);

@@ -6,6 +6,7 @@
 #include "apps/flight/mission.h"
 #include "apps/output/result_folder.h"
 #include "apps/recording/recorder.h"
+#include "apps/report/film_strip.h"
 #include "apps/video/flight_video.h"
 #include "apps/view/live_view.h"
 
@@ -16,13 +17,16 @@ struct Looks {
   bool record = false, video = false, view = false;
 };
 
-/// Those who look on at a flight and change nothing of it: a recording, a video, windows.
+/// Those who look on at a flight and change nothing of it: the report's film strip, a recording, a video,
+/// windows.
 class Onlookers {
  public:
-  /// `folder` holds what is kept; none when nothing is. Where there is no display a line says so, and there
-  /// are no windows. Throws InputError when there is no place for what is to be kept.
+  /// `folder` holds what is kept, and gets a report; none when nothing is. Where there is no display a line
+  /// says so, and there are no windows. Throws InputError when there is no place for what is to be kept.
   Onlookers(const Looks& looks, const Mission& mission, ResultFolder* folder);
 
+  /// For the report.
+  const FilmStrip& film() const { return film_; }
   /// None when nobody looks on.
   TickListener listener();
   /// The user has closed the windows, which is to be taken as Ctrl-C.
@@ -34,6 +38,8 @@ class Onlookers {
  private:
   void see(const FlightTick& tick);
 
+  bool films_;
+  FilmStrip film_;
   std::optional<Recorder> recorder_;
   std::optional<FlightVideo> video_;
   std::unique_ptr<LiveView> view_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -50,27 +51,24 @@ std::string unknown_command(const CLI::App& app) {
   return fmt::format("unknown command '{}'; allowed: {}", words.front(), names);
 }
 
+std::string fault_of(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string unknown = unknown_command(app);
+  return (unknown.empty() ? error.what() : unknown) + fmt::format(" ({} --help tells more)", program_name());
+}
+
 int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) try {
   app.parse(argc, argv);
   return exit_code;
 } catch (const CLI::Success& help) {
   return app.exit(help);
 } catch (const CLI::ParseError& error) {
-  const std::string unknown = unknown_command(app);
-  complain((unknown.empty() ? error.what() : unknown) +
-           fmt::format(" ({} --help tells more)", program_name()));
+  complain(fault_of(app, error));
   return kBadInput;
 }
 
-}  // namespace
-
-namespace {
-
-int run(int argc, char** argv) try {
-  CLI::App app("lineservo: a quadrotor follows painted floor lines by visual servoing.", program_name());
+void add_commands(CLI::App& app, int& exit_code) {
   app.set_version_flag("--version", std::string(kVersion));
   app.require_subcommand(1);
-  int exit_code = kDone;
   add_fly_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_detect_command(app, exit_code);
@@ -84,6 +82,12 @@ int run(int argc, char** argv) try {
   add_test_command(app);
   add_train_command(app);
   add_tune_command(app, exit_code);
+}
+
+int run(int argc, char** argv) try {
+  CLI::App app("lineservo: a quadrotor follows painted floor lines by visual servoing.", program_name());
+  int exit_code = kDone;
+  add_commands(app, exit_code);
   return parse_and_run(app, argc, argv, exit_code);
 } catch (const InputError& error) {
   complain(error.what());
@@ -111,6 +115,21 @@ int run_program(int argc, char** argv) {
   complain(std::string("standard output cannot be written") + (errno == 0 ? "" : ": ") +
            (errno == 0 ? "" : std::strerror(errno)));
   return kBadInput;
+}
+
+std::optional<std::string> fault_in(std::vector<std::string> words) {
+  CLI::App app;
+  int exit_code = kDone;
+  add_commands(app, exit_code);
+  app.parse_complete_callback([] { throw CLI::Success(); });  // comes before any command is carried out
+  std::reverse(words.begin(), words.end());                   // as CLI11 takes them
+  try {
+    app.parse(words);
+  } catch (const CLI::Success&) {
+  } catch (const CLI::ParseError& error) {
+    return fault_of(app, error);
+  }
+  return std::nullopt;
 }
 
 }  // namespace lineservo::apps

@@ -78,14 +78,15 @@ int report(const std::string& name) {
   const json there = recorded_summary(folder);
   const Mission mission = prepare(read_config(folder / "config.yaml"));
   end_on_interrupt("report");
-  const auto [record, summary] = fly_mission(mission);
-  if (const auto why = difference(there, json::parse(json_text(to_json(mission.request, summary))))) {
+  FilmStrip film;
+  const FlownMission flown = fly_mission(mission, {}, film.listener());
+  if (const auto why = difference(there, json::parse(json_text(to_json(mission.request, flown.summary))))) {
     fmt::print(stderr, "lineservo: {}: {}\n", name, *why);
     return kFailed;
   }
   watch_for_interrupt();  // the report, once begun, is written whole
   ResultFolder results(folder, {kReportFile});
-  if (!write_flight_report(results, mission, record, summary)) return kFailed;
+  if (!write_flight_report(results, mission, flown, film)) return kFailed;
   results.publish();
   fmt::print("written to {}\n", (folder / kReportFile).string());
   return kDone;

@@ -289,6 +289,7 @@ void Flight::log(const TickInput& input, const servo::Command& command) {
   if (observation.features.junction) tick.junction = observation.features.junction->centre;
   tick.height_m = observation.estimate.height_m;
   tick.v_H_m_s = observation.estimate.v_H_m_s;
+  tick.odometry = input.estimate.odometry_now;
   tick.command = command;
   record_.ticks.push_back(tick);
   for (servo::ExecutiveEvent& event : chain_.take_events()) {

@@ -7,6 +7,7 @@
 
 #include "features/frame_features.h"
 #include "servo/executive/phase.h"
+#include "servo/law/motion.h"
 #include "servo/task/command.h"
 #include "vehicle/time.h"
 
@@ -36,6 +37,7 @@ struct TickRecord {
   std::optional<features::LevelPoint> junction;
   double height_m = 0.0;
   Eigen::Vector3d v_H_m_s = Eigen::Vector3d::Zero();
+  servo::Motion odometry;  ///< dead reckoning since the flight began
   servo::Command command;
   bool has_frame = true;  ///< otherwise the tick went on without one
 };

@@ -17,11 +17,13 @@ extern "C" __attribute__((visibility("default"))) bool lineservo_decode_image(co
   return false;
 }
 
-/// The image as PNG, without loss. False when it cannot be.
-extern "C" __attribute__((visibility("default"))) bool lineservo_encode_png(
-    const cv::Mat* image, std::vector<unsigned char>* bytes) noexcept try {
+/// The image as a file of the kind that the ending names (.png: without loss; .jpg: of that quality, 0 to
+/// 100). False when it cannot be.
+extern "C" __attribute__((visibility("default"))) bool lineservo_encode_image(
+    const cv::Mat* image, const char* ending, int jpeg_quality, std::vector<unsigned char>* bytes) noexcept
+    try {
   const lineservo::vehicle::QuietStderr quiet;
-  return cv::imencode(".png", *image, *bytes);
+  return cv::imencode(ending, *image, *bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});
 } catch (...) {
   return false;
 }

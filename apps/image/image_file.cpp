@@ -14,7 +14,8 @@ namespace {
 
 using Decode = bool (*)(const unsigned char* bytes, std::size_t size, cv::Mat* image);
 
-using EncodePng = bool (*)(const cv::Mat* image, std::vector<unsigned char>* bytes);
+using Encode = bool (*)(const cv::Mat* image, const char* ending, int jpeg_quality,
+                        std::vector<unsigned char>* bytes);
 
 template <typename Function>
 Function codec(const char* name) {
@@ -47,6 +48,14 @@ bool is_cut_short(std::string_view bytes) {
   return scan != bytes.npos && bytes.find(kEnd, scan) == bytes.npos;
 }
 
+std::string encoded(const cv::Mat& image, const char* ending, int jpeg_quality = 0) {
+  static const Encode encode = codec<Encode>("lineservo_encode_image");
+  std::vector<unsigned char> bytes;
+  if (!encode(&image, ending, jpeg_quality, &bytes))
+    throw std::runtime_error(std::string("an image cannot be written as ") + ending);
+  return {bytes.begin(), bytes.end()};
+}
+
 }  // namespace
 
 cv::Mat read_image(const std::filesystem::path& file) {
@@ -62,10 +71,11 @@ cv::Mat read_image(const std::filesystem::path& file) {
 }
 
 std::string png_bytes(const cv::Mat& image) {
-  static const EncodePng encode = codec<EncodePng>("lineservo_encode_png");
-  std::vector<unsigned char> bytes;
-  if (!encode(&image, &bytes)) throw std::runtime_error("an image cannot be written as PNG");
-  return {bytes.begin(), bytes.end()};
+  return encoded(image, ".png");
+}
+
+std::string jpeg_bytes(const cv::Mat& image, int quality) {
+  return encoded(image, ".jpg", quality);
 }
 
 }  // namespace lineservo::apps

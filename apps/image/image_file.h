@@ -14,4 +14,7 @@ cv::Mat read_image(const std::filesystem::path& file);
 /// The image as a PNG file, without loss: CV_8UC1 or CV_8UC3 (BGR). As for threads as read_image().
 std::string png_bytes(const cv::Mat& image);
 
+/// The image as a JPEG file of that quality (0 to 100): as png_bytes() otherwise.
+std::string jpeg_bytes(const cv::Mat& image, int quality);
+
 }  // namespace lineservo::apps

@@ -77,11 +77,11 @@ OwnFiles own_files(const FlightRequest& request) {
           own_bitmap(request.layout)};
 }
 
-bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlightRecord& record,
-                         const FlightSummary& summary) {
+bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlownMission& flown,
+                         const FilmStrip& film) {
   const FlightRequest& request = mission.request;
   return write_report(folder, fmt::format("{} · {} · lineservo", request.instruction, request.controller),
-                      [&] { return flight_data(mission, record, summary); });
+                      [&] { return flight_data(mission, flown.record, flown.summary, film.thumbnails()); });
 }
 
 void keep_what_is_no_flights(const fs::path& folder, const OwnFiles& own) {
@@ -101,17 +101,17 @@ void keep_what_is_no_flights(const fs::path& folder, const OwnFiles& own) {
 }
 
 void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,
-                  const FlightRecord& record, const FlightSummary& summary) {
+                  const FlownMission& flown, const FilmStrip& film) {
   FlightRequest kept = mission.request;
   keep(folder, "mission.yaml", own.mission, kept.instruction);
   keep(folder, "layout.yaml", own.layout, kept.layout);
   keep_bitmap(folder, own.bitmap);
   keep(folder, "conditions.yaml", own.conditions, kept.conditions);
-  folder.write("flight.csv", flight_csv(record));
-  folder.write("events.csv", events_csv(record));
+  folder.write("flight.csv", flight_csv(flown.record));
+  folder.write("events.csv", events_csv(flown.record));
   folder.write("config.yaml", config_text(kept));
-  write_flight_report(folder, mission, record, summary);
-  folder.write("summary.json", json_text(to_json(mission.request, summary), 2));
+  write_flight_report(folder, mission, flown, film);
+  folder.write("summary.json", json_text(to_json(mission.request, flown.summary), 2));
   folder.publish();
 }
 

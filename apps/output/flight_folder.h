@@ -5,8 +5,8 @@
 
 #include "apps/config/flight_request.h"
 #include "apps/flight/mission.h"
-#include "apps/output/flight_summary.h"
 #include "apps/output/result_folder.h"
+#include "apps/report/film_strip.h"
 
 namespace lineservo::apps {
 
@@ -32,12 +32,12 @@ OwnFiles own_files(const FlightRequest& request);
 void keep_what_is_no_flights(const std::filesystem::path& folder, const OwnFiles& own);
 
 /// Writes summary.json, flight.csv, events.csv, config.yaml, the own files and, where the program has its
-/// page, report.html, and publishes them.
+/// page, report.html with the pictures of `film`, and publishes them.
 void write_flight(ResultFolder& folder, const Mission& mission, const OwnFiles& own,
-                  const FlightRecord& record, const FlightSummary& summary);
+                  const FlownMission& flown, const FilmStrip& film);
 
 /// Writes report.html alone; false, with a line on stderr, where the program has no page for it.
-bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlightRecord& record,
-                         const FlightSummary& summary);
+bool write_flight_report(ResultFolder& folder, const Mission& mission, const FlownMission& flown,
+                         const FilmStrip& film);
 
 }  // namespace lineservo::apps

@@ -15,6 +15,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kTimeDecimals = 4, kDecimals = 6;  // as in flight.csv
+constexpr int kMillimetres = 3;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 ordered_json published_json(const FlightRequest& request) {
@@ -77,6 +78,18 @@ class TickColumns {
   const std::vector<TickRow>& rows_;
 };
 
+/// Where dead reckoning has the vehicle at a tick, in W: laid on its true pose at the first tick.
+Eigen::Vector2d reckoned_W(const TickRecord& tick, const TickRecord& first) {
+  const servo::Motion flown = servo::between(first.odometry, tick.odometry);
+  return first.now.p_WB.head<2>() + Eigen::Rotation2Dd(first.now.heading_rad) * flown.translation_m;
+}
+
+void add_reckoned(TickColumns& columns, const FlightRecord& record) {
+  for (const auto& [name, axis] : {std::pair{"reckoned_x_m", 0}, {"reckoned_y_m", 1}})
+    columns.add(name, kMillimetres,
+                [&](const TickRow& row) { return reckoned_W(*row.tick, record.ticks.front())[axis]; });
+}
+
 void add_truth(TickColumns& columns) {
   columns.add("t_s", kTimeDecimals, [](const TickRow& row) { return vehicle::seconds(row.tick->t); });
   columns.add("phase", 0, [](const TickRow& row) { return static_cast<double>(row.tick->now.phase); });
@@ -124,6 +137,7 @@ std::string flight_data(const Mission& mission, const FlightRecord& record, cons
   TickColumns columns(json, rows);
   add_truth(columns);
   add_seen(columns);
+  add_reckoned(columns, record);
   columns.add_commands();
   columns.end();
   return json + "}";

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "apps/flight/mission.h"
+#include "apps/report/film_strip.h"
 
 namespace lineservo::apps {
-
-/// A small picture of what the camera saw, for the slider.
-struct Thumbnail {
-  double t_s = 0.0;
-  std::string data_uri;  ///< data:image/jpeg;base64,…
-};
 
 /// What the report of a flight shows, as JSON: the summary, the published figures, floor and way, events, and
 /// a column for each quantity with one number a control tick, the same as in flight.csv.

@@ -37,8 +37,10 @@ class ImageScale {
   double x_, y_;
 };
 
-/// The part of a segment whose pixels are in the image; the segment must cross it.
-void clip(PixelPoint& from, PixelPoint& to, cv::Size image) {
+/// The part of a segment whose pixels are in the image. One that is wholly outside, as the middle of a broad
+/// line of which a border alone is in view, stays as it is.
+void clip(PixelPoint& begin, PixelPoint& end, cv::Size image) {
+  PixelPoint from = begin, to = end;
   const auto keep_inside = [](double& x, double& y, double to_x, double to_y, double low, double high) {
     const double bound = std::clamp(x, low, high);
     if (bound == x || x == to_x) return;
@@ -50,6 +52,14 @@ void clip(PixelPoint& from, PixelPoint& to, cv::Size image) {
     keep_inside(from.y, from.x, to.y, to.x, -0.5, image.height - 0.5);
     std::swap(from, to);
   }
+  const auto is_inside = [&image](const PixelPoint& p) {
+    constexpr double kBorder_px = -0.5, kRounding_px = 1e-6;
+    return std::min(p.x, p.y) >= kBorder_px - kRounding_px &&
+           p.x <= image.width + kBorder_px + kRounding_px && p.y <= image.height + kBorder_px + kRounding_px;
+  };
+  if (!is_inside(from) || !is_inside(to)) return;
+  begin = from;
+  end = to;
 }
 
 ImageLine in_image(const WedgeLine& line, const MaskGeometry& geometry, const ImageScale& scale) {

@@ -37,6 +37,7 @@ nlohmann::json data_of(const fs::path& report) {
 TEST_F(ReportCommandTest, WritesTheReportOfTheFlightAgain) {
   if (!find_report_page()) GTEST_SKIP() << "the page was not built: npm was not to be had";
   const auto before = data_of(path("flight/report.html"));
+  EXPECT_GT(before["thumbnails"].size(), 10u);
   fs::remove(path("flight/report.html"));
   const Ran ran = run({"report", path("flight")});
   EXPECT_EQ(ran.exit_code, 0) << ran.err;

@@ -72,5 +72,16 @@ TEST(ImageFile, PngIsWithoutLoss) {
   EXPECT_EQ(cv::norm(read, image, cv::NORM_INF), 0.0);
 }
 
+TEST(ImageFile, JpegIsSmallerTheLowerTheQuality) {
+  cv::Mat image(31, 47, CV_8UC3);
+  cv::RNG random(3);
+  random.fill(image, cv::RNG::UNIFORM, 100, 140);
+  const std::string good = jpeg_bytes(image, 95), poor = jpeg_bytes(image, 40);
+  EXPECT_LT(poor.size(), good.size());
+  const cv::Mat read = read_image(written("good.jpg", good));
+  EXPECT_EQ(read.type(), CV_8UC3);
+  EXPECT_LT(cv::norm(read, image, cv::NORM_L1) / static_cast<double>(image.total() * 3), 10.0);
+}
+
 }  // namespace
 }  // namespace lineservo::apps

@@ -37,7 +37,7 @@ inline void record_flight(const std::filesystem::path& folder, const FlightReque
         recorder.add(tick.input, tick.bgr, {&output, 1});
       });
   recorder.write();
-  write_flight(results, mission, own_files(mission.request), flown.record, flown.summary);
+  write_flight(results, mission, own_files(mission.request), flown, FilmStrip());
 }
 
 /// Writes the recording's rows again, as if they had been recorded so.

@@ -247,6 +247,19 @@ TEST(ImageDetector, TakesTheLensOutOfTheBorders) {
   EXPECT_THROW(ImageDetector(options).detect(picture(cv::Rect(0, 0, 319, 240))), std::invalid_argument);
 }
 
+TEST(ImageDetector, ALineWhoseMiddleIsOutOfViewEndsWhereItsPaintDoes) {
+  const MaskGeometry geometry = assumed_geometry(320, 240);
+  // The middle of the two arms lies 0.025 m below the view.
+  const Pose pose{.x_m = 0.4, .y_m = 0.0, .heading_rad = 0.001};
+  const Floor cross = node_floor({0.0, kPi / 2, kPi, -kPi / 2}, 0.36);
+  const auto seen = ImageDetector().detect(photograph(geometry, pose, cross, scene_of(LineColor::yellow)));
+  ASSERT_EQ(seen.lines.size(), 2u);
+  for (const PixelPoint& end : {seen.lines[1].begin, seen.lines[1].end}) {
+    EXPECT_NEAR(end.x, 159.5, 162.0);
+    EXPECT_NEAR(end.y, 247.5, 4.0);
+  }
+}
+
 TEST(ImageDetector, LooksForOneColourWhenTold) {
   const MaskGeometry geometry = assumed_geometry(320, 240);
   const cv::Mat picture = photograph(geometry, {}, along(0.0), scene_of(LineColor::red));

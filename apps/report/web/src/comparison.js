@@ -2,7 +2,7 @@ import { boxPlot, differencePlot, distributionPlot } from './comparison_charts.j
 import { notes, tables } from './comparison_tables.js';
 import { choice, element, section } from './dom.js';
 import { chips, legend, redrawn } from './row_chips.js';
-import { groupOf, metrics, rowsOf } from './rows.js';
+import { groupOf, metricNamed, metrics, rowsOf } from './rows.js';
 import { trajectories } from './trajectories.js';
 
 export function showComparison(page, data) {
@@ -57,109 +57,79 @@ function heading(page, { comparison: { settings: s, controllers, flights } }) {
   );
 }
 
-function boxes(page, shown) {
+/** Options to choose between, the first one to begin with. */
+const ofMetrics = (list) => list.map(({ name, text }) => ({ value: name, text }));
+const scales = [
+  { value: 'log', text: 'logarithmic' },
+  { value: 'value', text: 'linear' },
+];
+
+/**
+ * A section with a plot that is drawn again at every choice. choices: [{label, options}]; draw(box, …) gets a value for
+ * each. Returns what draws it again.
+ */
+function chosenPlot(page, { title, note, choices, chips = true }, draw) {
+  const values = choices.map(({ options }) => options[0].value);
   const node = section(
     page,
-    'Every flight',
-    'Box: quartiles and median; whiskers: the last flight within 1.5 box lengths; dots: the flights. Failed flights are in it with what they flew.',
-  );
-  let metric = metrics[0],
-    scale = 'log';
-  node.append(
+    title,
+    note,
     element(
       'div',
       { class: 'choices' },
-      choice(
-        'figure',
-        metrics.map(({ name, text }) => ({ value: name, text })),
-        (name) => {
-          metric = metrics.find((one) => one.name === name);
-          draw();
-        },
-      ),
-      choice(
-        'scale',
-        [
-          { value: 'log', text: 'logarithmic' },
-          { value: 'value', text: 'linear' },
-        ],
-        (value) => {
-          scale = value;
-          draw();
-        },
+      choices.map(({ label, options }, k) =>
+        choice(label, options, (value) => {
+          values[k] = value;
+          redraw();
+        }),
       ),
     ),
-    legend(),
+    chips ? legend() : null,
   );
-  const draw = redrawn(node, (box) => boxPlot(box, shown(), metric, scale));
-  draw();
-  return draw;
+  const redraw = redrawn(node, (box) => draw(box, ...values));
+  redraw();
+  return redraw;
 }
 
-function distribution(page, { errors }, shown) {
-  const node = section(
+const boxes = (page, shown) =>
+  chosenPlot(
     page,
-    'How the error is distributed',
-    'Probability density of the signed error over all flights of a row, in bins of 5 mm; positive is to the left of travel.',
+    {
+      title: 'Every flight',
+      note: 'Box: quartiles and median; whiskers: the last flight within 1.5 box lengths; dots: the flights. Failed flights are in it with what they flew.',
+      choices: [
+        { label: 'figure', options: ofMetrics(metrics) },
+        { label: 'scale', options: scales },
+      ],
+    },
+    (box, metric, scale) => boxPlot(box, shown(), metricNamed(metric), scale),
   );
-  let scale = 'value';
-  node.append(
-    element(
-      'div',
-      { class: 'choices' },
-      choice(
-        'density',
-        [
-          { value: 'value', text: 'linear' },
-          { value: 'log', text: 'logarithmic' },
-        ],
-        (value) => {
-          scale = value;
-          draw();
-        },
-      ),
-    ),
-    legend(),
+
+const distribution = (page, { errors }, shown) =>
+  chosenPlot(
+    page,
+    {
+      title: 'How the error is distributed',
+      note: 'Probability density of the signed error over all flights of a row, in bins of 5 mm; positive is to the left of travel.',
+      choices: [{ label: 'density', options: [...scales].reverse() }],
+    },
+    (box, scale) => distributionPlot(box, shown(), errors, scale),
   );
-  const draw = redrawn(node, (box) => distributionPlot(box, shown(), errors, scale));
-  draw();
-  return draw;
-}
 
 function differences(page, { comparison: { pairs, settings } }, state) {
   const named = metrics.filter((metric) => pairs.some((pair) => pair.metric === metric.name));
-  const node = section(
-    page,
-    'Paired differences',
-    `Mean difference to ${settings.reference} on the same flights, with its 95 % bootstrap interval: right of zero the law is worse. Grey: the interval contains zero.`,
-  );
+  const title = 'Paired differences',
+    note = `Mean difference to ${settings.reference} on the same flights, with its 95 % bootstrap interval: right of zero the law is worse. Grey: the interval contains zero.`;
   if (named.length === 0) {
-    node.append(element('p', {}, 'One row alone: there is nothing to pair.'));
+    section(page, title, note, element('p', {}, 'One row alone: there is nothing to pair.'));
     return () => {};
   }
-  let metric = named[0];
-  node.append(
-    element(
-      'div',
-      { class: 'choices' },
-      choice(
-        'figure',
-        named.map(({ name, text }) => ({ value: name, text })),
-        (name) => {
-          metric = named.find((one) => one.name === name);
-          draw();
-        },
-      ),
-    ),
+  const ofGroup = (metric) => pairs.filter((pair) => pair.metric === metric && groupOf(pair) === state.group);
+  const draw = chosenPlot(
+    page,
+    { title, note, choices: [{ label: 'figure', options: ofMetrics(named) }], chips: false },
+    (box, metric) => differencePlot(box, ofGroup(metric), metricNamed(metric)),
   );
-  const draw = redrawn(node, (box) =>
-    differencePlot(
-      box,
-      pairs.filter((pair) => pair.metric === metric.name && groupOf(pair) === state.group),
-      metric,
-    ),
-  );
-  draw();
   return (what) => {
     if (what === 'group') draw();
   };

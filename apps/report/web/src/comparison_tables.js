@@ -49,7 +49,7 @@ function figures(row) {
   const mean = (name, show, value = row[name]) => cell(withInterval(show, value, row.ci95[name]));
   return [
     cell(
-      element('i', { class: 'swatch', style: `background:${row.colour}` }),
+      element('i', { class: `line ${row.dash}`, style: `border-color:${row.colour}` }),
       row.label,
       row.adaptations.length ? '*' : '',
     ),

@@ -1,7 +1,7 @@
 import { element, section } from './dom.js';
 import { centimetres, fixed } from './format.js';
 import { FloorMap, boundsOf } from './map.js';
-import { flownPath, paint, places, rings, trueWay } from './map_layers.js';
+import { flownPath, paint, places, rings, sideFor, trueWay } from './map_layers.js';
 import { ink } from './palette.js';
 
 export function maps(page, { ticks, floor, route, summary, published }) {
@@ -10,7 +10,7 @@ export function maps(page, { ticks, floor, route, summary, published }) {
   const node = section(
     page,
     'Where it flew',
-    'Dashed: the true way. Blue: what was flown. Zoom with the buttons, a pinch, or Ctrl and the wheel; drag to move.',
+    'Dashed: the true way. Blue: what was flown. Dotted: where the vehicle’s own dead reckoning, which drifts, would have it. Zoom with the buttons, a pinch, or Ctrl and the wheel; drag to move.',
   );
   const pair = element('div', { class: 'pair' });
   node.append(pair);
@@ -22,6 +22,7 @@ export function maps(page, { ticks, floor, route, summary, published }) {
     layers: () => [
       paint(floor),
       trueWay(route),
+      flownPath('dead reckoning', reckonedOf(ticks), ink.grey, 'dotted'),
       flownPath('flown', path, ink.blue),
       places(marks(path, summary, floor)),
     ],
@@ -45,6 +46,8 @@ export function maps(page, { ticks, floor, route, summary, published }) {
 }
 
 const pathOf = ({ x_m, y_m }) => x_m.map((x, k) => [x, y_m[k]]);
+
+const reckonedOf = ({ reckoned_x_m: x_m, reckoned_y_m: y_m }) => pathOf({ x_m, y_m });
 
 function column(parent, title) {
   const node = element('div', {}, element('h3', {}, title));
@@ -79,8 +82,6 @@ function endOf(path, target) {
 }
 
 function marks(path, { target, targets }, floor) {
-  const xs = floor.nodes.map((one) => one.at[0]),
-    middle_m = (Math.min(...xs) + Math.max(...xs)) / 2;
   const goals = targets
     ? targets.map((one) => ({ at: [one.x_m, one.y_m], text: one.target }))
     : [{ at: [target.x_m, target.y_m], text: `target ${target.node}` }];
@@ -90,7 +91,7 @@ function marks(path, { target, targets }, floor) {
       ...goal,
       symbol: 'diamond',
       size: 15,
-      position: goal.at[0] > middle_m ? 'left' : 'right',
+      position: sideFor(goal.at, floor),
     })),
   ];
 }

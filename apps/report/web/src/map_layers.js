@@ -102,6 +102,12 @@ export const rings = (centre, list) =>
     };
   }, 1);
 
+/** On which side of a place its name stays within the floor. */
+export function sideFor(at, floor) {
+  const xs = floor.nodes.map((one) => one.at[0]);
+  return at[0] > (Math.min(...xs) + Math.max(...xs)) / 2 ? 'left' : 'right';
+}
+
 /** A named place: [{at, text, symbol, colour}]. */
 export const places = (list) => ({
   type: 'scatter',

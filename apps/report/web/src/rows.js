@@ -12,6 +12,8 @@ export const metrics = [
   ['tilt_rate_rms_rad_s', 'tilt rate, RMS', '°/s', 180 / Math.PI],
 ].map(([name, text, unit, scale]) => ({ name, text, unit, scale }));
 
+export const metricNamed = (name) => metrics.find((one) => one.name === name);
+
 /** A row of the tables: a controller with its parameters on a floor at a speed, with what it is drawn with. */
 export function rowsOf({ comparison, errors, mean_ci95 }) {
   const laws = [...new Set(comparison.controllers.map(lawOf))];

@@ -16,12 +16,21 @@ export class Scrubber {
       oninput: () => this.show(Number(this.slider.value)),
     });
     this.text = element('output', { id: 'now', for: 'time' });
-    this.picture = element('img', { id: 'camera', alt: 'what the camera saw', hidden: true });
+    this.picture = element('img', { id: 'camera', alt: 'what the camera saw' });
+    this.camera = element('button', {
+      type: 'button',
+      class: 'camera',
+      title: 'larger or smaller',
+      'aria-label': 'camera picture, larger or smaller',
+      'aria-pressed': 'false',
+      hidden: true,
+      onclick: () => this.camera.setAttribute('aria-pressed', this.camera.getAttribute('aria-pressed') !== 'true'),
+    }, this.picture);
     page.append(
       element(
         'div',
         { class: 'scrubber' },
-        this.picture,
+        this.camera,
         element(
           'div',
           { class: 'controls' },
@@ -36,7 +45,7 @@ export class Scrubber {
       ),
     );
     if (thumbnails.length === 0)
-      page.append(element('p', { class: 'note', id: 'no-camera' }, 'No camera pictures: this flight recorded none.'));
+      page.append(element('p', { class: 'note', id: 'no-camera' }, 'No camera pictures: none came, or this report was written without them.'));
     for (const { chart } of views) chart?.onClick(([t_s]) => this.show(this.tickAt(t_s)));
     this.show(
       Math.max(
@@ -82,7 +91,7 @@ export class Scrubber {
 
   showPicture(t_s) {
     const shown = this.thumbnails.filter((one) => one.t_s <= t_s).pop() ?? this.thumbnails[0];
-    this.picture.hidden = !shown;
+    this.camera.hidden = !shown;
     if (shown && this.picture.src !== shown.uri) this.picture.src = shown.uri;
   }
 }

@@ -1,7 +1,7 @@
 import { deviationPlot } from './comparison_charts.js';
 import { choice, element, section } from './dom.js';
 import { FloorMap, boundsOf } from './map.js';
-import { flownPath, paint, places, rings, trueWay } from './map_layers.js';
+import { flownPath, paint, places, rings, sideFor, trueWay } from './map_layers.js';
 import { ink } from './palette.js';
 import { legend, redrawn } from './row_chips.js';
 import { Strips, codeLegend } from './strips.js';
@@ -90,7 +90,7 @@ function trajectoryMaps(box, traces, floors, first, rows) {
     return column;
   };
   const layers = () => [paint(floor), trueWay(first.route), ...paths()];
-  const goal = (text) => places([{ at: target, text, symbol: 'diamond', size: 14 }]);
+  const goal = (text) => places([{ at: target, text, symbol: 'diamond', size: 14, position: sideFor(target, floor) }]);
   new FloorMap(half('Floor'), {
     id: 'map',
     label: 'trajectories over the floor',
