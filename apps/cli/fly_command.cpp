@@ -29,8 +29,8 @@ struct FlyArguments {
   std::string target;
   std::optional<std::string> controller, layout, conditions, config, out, seed, speed;
   std::vector<std::string> overrides;
-  bool land = false, tuned = false, explain = false, json = false, record = false, video = false,
-       view = false;
+  bool land = false, tuned = false, explain = false, json = false;
+  Looks looks;
 };
 
 void refuse_two_speeds(const FlyArguments& a) {
