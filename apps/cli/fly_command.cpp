@@ -142,8 +142,7 @@ void add_fly_command(CLI::App& app, int& exit_code) {
   command
       ->add_flag("--video", a.looks.video,
                  "write flight.mp4 into the folder of --out: what the camera saw, with what was seen and "
-                 "commanded and "
-                 "a map, in real time")
+                 "commanded and a map, in real time")
       ->needs(out);
   CLI::Option* view = command->add_flag(
       "--view", a.looks.view,

@@ -65,14 +65,15 @@ class VirtualDisplay {
     return found;
   }
   void press(Window window, KeySym key) const {
-    XKeyEvent event{};
-    event.type = KeyPress;
-    event.display = display_;
-    event.window = window;
-    event.root = DefaultRootWindow(display_);
-    event.same_screen = True;
-    event.keycode = XKeysymToKeycode(display_, key);
-    XSendEvent(display_, window, True, KeyPressMask, reinterpret_cast<XEvent*>(&event));
+    XEvent event{};
+    XKeyEvent& pressed = event.xkey;
+    pressed.type = KeyPress;
+    pressed.display = display_;
+    pressed.window = window;
+    pressed.root = DefaultRootWindow(display_);
+    pressed.same_screen = True;
+    pressed.keycode = XKeysymToKeycode(display_, key);
+    XSendEvent(display_, window, True, KeyPressMask, &event);
     XSync(display_, False);
   }
   /// As window managers close a window that knows no protocol.
