@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "apps/overlay/ink.h"
+#include "features/geometry/angles.h"
 #include "tests/apps/test_floors.h"
 
 namespace lineservo::apps {
