@@ -14,11 +14,11 @@ OverlayScene scene_of(const Watched& watched) {
   const bool has_frame = !watched.tick.bgr.empty();
   if (has_frame) {
     scene.bgr = &watched.tick.bgr;
-    scene.mask = &watched.chain.mask();
+    scene.mask = &watched.chain->mask();
   }
   scene.features = output.features;
-  scene.view = watched.chain.view();
-  scene.law_view = watched.chain.law_view();
+  scene.view = watched.chain->view();
+  scene.law_view = watched.chain->law_view();
   scene.command = output.command;
   scene.time_s = servo::seconds(watched.tick.input.now);
   scene.height_m = watched.tick.input.estimate.height_m;

@@ -13,6 +13,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "apps/view/view_window.h"
+#include "apps/view/x_connections.h"
 
 namespace {
 
@@ -22,17 +23,11 @@ using lineservo::apps::ViewWindow;
 using lineservo::apps::WindowSpec;
 using lineservo::apps::WindowState;
 
-/// Set when the connection that is being used breaks. Xlib's own answer is to end the program.
+/// Set when the connection that is being used breaks.
 bool connection_broke = false;
 
-void note_broken(Display*, void*) {
+void note_broken() {
   connection_broke = true;
-}
-
-int on_io_error(Display* display) {
-  XSetIOErrorExitHandler(display, note_broken, nullptr);
-  connection_broke = true;
-  return 0;
 }
 
 int on_error(Display*, XErrorEvent*) {
@@ -196,7 +191,6 @@ std::string display_name() {
 extern "C" __attribute__((visibility("default"))) ViewWindow* lineservo_open_window(
     const WindowSpec* spec, std::string* complaint) noexcept try {
   XSetErrorHandler(on_error);
-  XSetIOErrorHandler(on_io_error);
   if (display_name().empty()) {
     *complaint = "DISPLAY is not set";
     return nullptr;
@@ -205,7 +199,9 @@ extern "C" __attribute__((visibility("default"))) ViewWindow* lineservo_open_win
     *complaint = "the display " + display_name() + " does not answer";
     return nullptr;
   }
-  return new VispWindow(*spec);
+  auto window = std::make_unique<VispWindow>(*spec);
+  survive_broken_connections(note_broken);
+  return window.release();
 } catch (const std::exception& fault) {
   *complaint = fault.what();
   return nullptr;

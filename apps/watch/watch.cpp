@@ -45,7 +45,7 @@ Watched WatchChains::look(const WatchTick& tick) {
     outputs_[k].command = chains_[k]->command(tick.input, std::move(features));
     outputs_[k].features = chains_[k]->observation().features;
   }
-  Watched watched{tick, outputs_, *chains_.front(), perception_ms, std::nullopt};
+  Watched watched{tick, outputs_, perception_ms, std::nullopt, chains_.front().get()};
   if (tick.exposed_at) watched.delay_ms = ms(Clock::now().time_since_epoch() - *tick.exposed_at);
   return watched;
 }

@@ -17,9 +17,9 @@ namespace lineservo::apps {
 struct Watched {
   const WatchTick& tick;
   const std::vector<ChainOutput>& outputs;
-  const Chain& chain;              ///< of the first controller
   double perception_ms = 0.0;      ///< of the first controller, by the wall clock
   std::optional<double> delay_ms;  ///< of live sources: from the exposure until all have said their command
+  const Chain* chain = nullptr;    ///< of the first controller
 };
 
 /// Each controller's chain on the same frames.

@@ -89,9 +89,12 @@ TEST_F(WindowTest, PlotsFeaturesAndVelocitiesInTheirColours) {
   ASSERT_TRUE(window) << complaint;
   const Window plots = *display_.window("plots: features and velocities");
   const double absent = std::numeric_limits<double>::quiet_NaN();
+  const auto plot = [&](double time_s) {
+    window->plot({time_s, {0.5, -0.2, absent}, {0.1, 0.05, absent, 0.09, absent}});
+  };
+  plot(0.0);  // it draws the legend
   const int green_before = pixels_of(display_.screenshot(plots), ink::kGreen);
-  for (int k = 0; k < 20; ++k)
-    window->plot({0.5 * k, {0.5, -0.2, absent}, {0.1, 0.05, absent, 0.09, absent}});
+  for (int k = 1; k < 20; ++k) plot(0.5 * k);
   const cv::Mat shot = display_.screenshot(plots);
   EXPECT_GT(pixels_of(shot, ink::kBlue), 100);
   EXPECT_GT(pixels_of(shot, ink::kSky), 50);
