@@ -11,9 +11,9 @@
 #include <cstdlib>
 #include <memory>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 #include "apps/view/view_window.h"
-#include "apps/view/x_connections.h"
 
 namespace {
 
@@ -23,11 +23,15 @@ using lineservo::apps::ViewWindow;
 using lineservo::apps::WindowSpec;
 using lineservo::apps::WindowState;
 
-/// Set when the connection that is being used breaks.
-bool connection_broke = false;
+/// A connection to a display broke in the call that throws it.
+class ConnectionBroke : public std::runtime_error {
+ public:
+  ConnectionBroke() : std::runtime_error("the display is gone") {}
+};
 
-void note_broken() {
-  connection_broke = true;
+/// Xlib ends the program when its handler returns, whatever the handler says: so it must not return.
+[[noreturn]] int on_io_error(Display*) {
+  throw ConnectionBroke();
 }
 
 int on_error(Display*, XErrorEvent*) {
@@ -45,10 +49,12 @@ struct Curve {
 
 constexpr unsigned kFeatures = 0, kVelocities = 1;
 
-bool answers() {
+bool answers() try {
   Display* display = XOpenDisplay(nullptr);
   if (display != nullptr) XCloseDisplay(display);
   return display != nullptr;
+} catch (const ConnectionBroke&) {
+  return false;
 }
 
 /// A window of ViSP's with a connection of its own. When that breaks, what ViSP keeps of it is left as it is:
@@ -59,6 +65,7 @@ class Guarded {
   template <typename... Arguments>
   explicit Guarded(Arguments&&... arguments) : window_(new Window(std::forward<Arguments>(arguments)...)) {}
   ~Guarded() {
+    use([](Window& window) { vpDisplay::flush(window.shown()); });  // notices when it broke since
     if (!broke_) delete window_;
   }
   Guarded(const Guarded&) = delete;
@@ -68,13 +75,13 @@ class Guarded {
   template <typename Use>
   void use(Use&& what) {
     if (broke_) return;
-    connection_broke = false;
     try {
       what(*window_);
+    } catch (const ConnectionBroke&) {
+      broke_ = true;
     } catch (const vpException&) {
-      connection_broke = true;
+      broke_ = true;
     }
-    broke_ = connection_broke;
   }
 
  private:
@@ -86,6 +93,8 @@ struct Picture {
   Picture(const WindowSpec& spec)
       : image(static_cast<unsigned>(spec.size.height), static_cast<unsigned>(spec.size.width)),
         display(image, 0, 0, spec.title) {}
+
+  const vpImage<vpRGBa>& shown() const { return image; }
 
   vpImage<vpRGBa> image;
   vpDisplayX display;
@@ -122,6 +131,8 @@ struct Plots {
     for (unsigned k = 0; k < N; ++k)
       if (std::isfinite(values[k])) plot.plot(graph, k, time_s, values[k]);
   }
+
+  const vpImage<unsigned char>& shown() const { return plot.I; }
 
   vpPlot plot;
 };
@@ -191,6 +202,7 @@ std::string display_name() {
 extern "C" __attribute__((visibility("default"))) ViewWindow* lineservo_open_window(
     const WindowSpec* spec, std::string* complaint) noexcept try {
   XSetErrorHandler(on_error);
+  XSetIOErrorHandler(on_io_error);
   if (display_name().empty()) {
     *complaint = "DISPLAY is not set";
     return nullptr;
@@ -199,9 +211,7 @@ extern "C" __attribute__((visibility("default"))) ViewWindow* lineservo_open_win
     *complaint = "the display " + display_name() + " does not answer";
     return nullptr;
   }
-  auto window = std::make_unique<VispWindow>(*spec);
-  survive_broken_connections(note_broken);
-  return window.release();
+  return new VispWindow(*spec);
 } catch (const std::exception& fault) {
   *complaint = fault.what();
   return nullptr;
