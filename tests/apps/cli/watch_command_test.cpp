@@ -153,7 +153,7 @@ TEST_F(WatchProgram, RefusesWhatIsNotThere) {
 }
 
 TEST_F(WatchProgram, DoesNotReplaceWhatItReads) {
-  const std::string source = images({640, 640}), frame = path("images/a.png").string();
+  const std::string source = images({640, 640}), frame = path("images/f0.png").string();
   const std::string heights = temp_.write("h.csv", "t_s,height_m\n0,0.5\n9,0.5\n");
   fs::create_directories(path("kept"));
   const std::string camera =
