@@ -37,6 +37,8 @@ std::vector<Words> commands_of(const std::string& line) {
       k = end;
     } else if (std::string(" \t").find(c) != std::string::npos) {
       end_word();
+    } else if (c == '(' && !word.empty()) {  // find_package(lineservo) runs nothing
+      word += c;
     } else if (std::string(";&|>()").find(c) != std::string::npos) {
       end_word();
       commands.emplace_back();
