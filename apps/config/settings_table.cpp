@@ -209,6 +209,7 @@ void SettingsTable::bind_executive(servo::ExecutiveOptions& e) {
   number("executive.line_memory_s", e.phases.line_memory_s, 0.1, 10.0);
   number("executive.length_tolerance", e.phases.length_tolerance, 0.0, 1.0);
   number("executive.length_slack_m", e.phases.length_slack_m, 0.0, 5.0);
+  number("executive.align_limit_s", e.phases.align_limit_s, 1.0, 600.0);
   number("executive.odometry_drift_m_s", e.phases.odometry_drift_m_s, 0.0, 1.0);
   whole("executive.doubt_frames", e.doubt_frames, 0, 30);
   number("executive.endurance_s", e.phases.endurance_s, 20.0, 36000.0);
