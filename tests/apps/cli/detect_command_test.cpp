@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/image/image_file.h"
 #include "tests/apps/cli/program_test.h"
 
 namespace lineservo::apps {
@@ -30,8 +31,9 @@ TEST_F(DetectCommandTest, TellsOfAFileWhoseNameIsNotUtf8) {
 
 TEST_F(DetectCommandTest, ACameraOfAnotherSizeIsScaledOnlyWhenAsked) {
   const std::string camera = temp_.write("c.yaml", "width_px: 2900\nheight_px: 960\nfocal_px: 1800\n");
-  const std::vector<std::string> plain = {"detect", LINESERVO_TEST_DATA "/pictures/flight.png", "--camera",
-                                          camera};
+  const cv::Mat floor(480, 1450, CV_8UC3, cv::Scalar(120, 120, 120));
+  const std::string image = temp_.write("floor.png", png_bytes(floor));
+  const std::vector<std::string> plain = {"detect", image, "--camera", camera};
   std::vector<std::string> scaled = plain;
   scaled.push_back("--scale-camera");
   EXPECT_EQ(run(plain).exit_code, 1);
