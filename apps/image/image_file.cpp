@@ -1,13 +1,12 @@
 #include "apps/image/image_file.h"
 
-#include <dlfcn.h>
-
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "apps/config/input_error.h"
 #include "apps/config/text_file.h"
+#include "apps/module/module_function.h"
 
 namespace lineservo::apps {
 namespace {
@@ -19,11 +18,7 @@ using Encode = bool (*)(const cv::Mat* image, const char* ending, int jpeg_quali
 
 template <typename Function>
 Function codec(const char* name) {
-  void* module = ::dlopen("liblineservo_image_codecs.so", RTLD_NOW | RTLD_LOCAL);
-  void* symbol = module == nullptr ? nullptr : ::dlsym(module, name);
-  if (symbol == nullptr)
-    throw std::runtime_error(std::string("the image codecs do not load: ") + ::dlerror());
-  return reinterpret_cast<Function>(symbol);
+  return module_function<Function>("liblineservo_image_codecs.so", name, "image codecs");
 }
 
 constexpr std::string_view kStart = "\xFF\xD8", kScan = "\xFF\xDA", kEnd = "\xFF\xD9";

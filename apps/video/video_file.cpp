@@ -1,28 +1,21 @@
 #include "apps/video/video_file.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <set>
 
 #include "apps/config/input_error.h"
+#include "apps/module/module_function.h"
 
 namespace lineservo::apps {
 namespace {
 
 using Open = VideoSink* (*)(const VideoSpec* spec);
 
-Open load_module() {
-  void* module = ::dlopen("liblineservo_video_module.so", RTLD_NOW | RTLD_LOCAL);
-  void* symbol = module == nullptr ? nullptr : ::dlsym(module, "lineservo_open_video");
-  if (symbol == nullptr)
-    throw std::runtime_error(std::string("the video writers do not load: ") + ::dlerror());
-  return reinterpret_cast<Open>(symbol);
-}
-
 std::unique_ptr<VideoSink> open(const VideoSpec& spec) {
-  static const Open open_video = load_module();
+  static const Open open_video =
+      module_function<Open>("liblineservo_video_module.so", "lineservo_open_video", "video writers");
   return std::unique_ptr<VideoSink>(open_video(&spec));
 }
 

@@ -1,25 +1,17 @@
 #include "apps/view/load_window.h"
 
-#include <dlfcn.h>
-
-#include <stdexcept>
+#include "apps/module/module_function.h"
 
 namespace lineservo::apps {
 namespace {
 
 using Open = ViewWindow* (*)(const WindowSpec* spec, std::string* complaint);
 
-Open load_module() {
-  void* module = ::dlopen("liblineservo_view_module.so", RTLD_NOW | RTLD_LOCAL);
-  void* symbol = module == nullptr ? nullptr : ::dlsym(module, "lineservo_open_window");
-  if (symbol == nullptr) throw std::runtime_error(std::string("the windows do not load: ") + ::dlerror());
-  return reinterpret_cast<Open>(symbol);
-}
-
 }  // namespace
 
 std::unique_ptr<ViewWindow> load_window(const WindowSpec& spec, std::string& complaint) {
-  static const Open open = load_module();
+  static const Open open =
+      module_function<Open>("liblineservo_view_module.so", "lineservo_open_window", "windows");
   return std::unique_ptr<ViewWindow>(open(&spec, &complaint));
 }
 
