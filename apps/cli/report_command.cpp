@@ -16,6 +16,7 @@
 #include "apps/config/text_file.h"
 #include "apps/flight/mission.h"
 #include "apps/output/flight_folder.h"
+#include "apps/output/flight_tables.h"
 #include "apps/output/json_text.h"
 #include "apps/output/report_file.h"
 #include "apps/output/result_folder.h"
@@ -72,6 +73,10 @@ std::optional<std::string> difference(const json& there, const json& flown) {
                      first.contains("value") ? first["value"].dump() : "nothing");
 }
 
+bool is_table_of(const fs::path& file, const FlightRecord& record) {
+  return read_bytes(file) == flight_csv(record);
+}
+
 /// Flies the flight again: only the one that summary.json tells of is reported as it.
 int report(const std::string& name) {
   const fs::path folder = name;
@@ -82,6 +87,10 @@ int report(const std::string& name) {
   const FlownMission flown = fly_mission(mission, {}, film.listener());
   if (const auto why = difference(there, json::parse(json_text(to_json(mission.request, flown.summary))))) {
     fmt::print(stderr, "lineservo: {}: {}\n", name, *why);
+    return kFailed;
+  }
+  if (!is_table_of(folder / "flight.csv", flown.record)) {
+    fmt::print(stderr, "lineservo: {}: flight.csv is not that of the flight of config.yaml\n", name);
     return kFailed;
   }
   watch_for_interrupt();  // the report, once begun, is written whole

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "apps/config/conditions_range.h"
 #include "apps/config/data_folder.h"
 #include "apps/config/input_error.h"
@@ -94,9 +96,11 @@ void keep_what_is_no_flights(const fs::path& folder, const OwnFiles& own) {
         fmt::format("--out {}: holds a {} that is of no earlier flight, which this one would replace",
                     folder.string(), name));
   };
-  keep_other("mission.yaml", own.mission);
-  keep_other("layout.yaml", own.layout);
-  keep_other("conditions.yaml", own.conditions);
+  const std::map<std::string, std::optional<std::string>> same = {
+      {"mission.yaml", own.mission}, {"layout.yaml", own.layout}, {"conditions.yaml", own.conditions}};
+  for (const std::string& name : flight_files())
+    keep_other(name, same.contains(name) ? same.at(name) : std::nullopt);
+  for (const char* recorded : {"recording.csv", "recording.json"}) keep_other(recorded, std::nullopt);
   if (own.bitmap) keep_other(own.bitmap->name, own.bitmap->bytes);
 }
 

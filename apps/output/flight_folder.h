@@ -27,8 +27,9 @@ const std::vector<std::string>& flight_files();
 /// Throws InputError when a file cannot be read. Call it before the flight: afterwards they may have changed.
 OwnFiles own_files(const FlightRequest& request);
 
-/// Throws InputError when the folder holds a mission, layout, conditions or bitmap that a flight would
-/// replace and that is of no earlier flight: it is the user's own.
+/// Throws InputError when the folder holds a file that a flight would replace, or the next one without it
+/// remove, and that is of no earlier flight: it is the user's own. The flight's own files, as they are, may
+/// lie there.
 void keep_what_is_no_flights(const std::filesystem::path& folder, const OwnFiles& own);
 
 /// Writes summary.json, flight.csv, events.csv, config.yaml, the own files and, where the program has its

@@ -62,7 +62,8 @@ void VideoFile::finish() {
   const bool is_whole = sink_->finish();
   sink_.reset();
   if (frames_ == 0) return folder_.give_up(name_);
-  if (!is_whole) throw InputError(name_ + ": cannot be written whole; is the disk full?");
+  if (!is_whole)
+    throw InputError((folder_.path() / name_).string() + ": cannot be written whole; is the disk full?");
 }
 
 void leave_out_videos(ResultFolder& folder, const std::string& stem, const std::string& owner,

@@ -49,11 +49,26 @@ struct Curve {
 
 constexpr unsigned kFeatures = 0, kVelocities = 1;
 
-bool answers() try {
-  Display* display = XOpenDisplay(nullptr);
-  if (display != nullptr) XCloseDisplay(display);
-  return display != nullptr;
-} catch (const ConnectionBroke&) {
+/// A connection by itself. While it is held, a server that starts anew when its last client leaves stays as
+/// it is.
+class Connection {
+ public:
+  Connection() : display_(XOpenDisplay(nullptr)) {}
+  ~Connection() {
+    try {
+      if (display_ != nullptr) XCloseDisplay(display_);
+    } catch (const ConnectionBroke&) {  // it is gone either way
+    }
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  bool is_there() const { return display_ != nullptr; }
+
+ private:
+  Display* display_;
+};
+
+bool answers() try { return Connection().is_there(); } catch (const ConnectionBroke&) {
   return false;
 }
 
@@ -207,7 +222,8 @@ extern "C" __attribute__((visibility("default"))) ViewWindow* lineservo_open_win
     *complaint = "DISPLAY is not set";
     return nullptr;
   }
-  if (!answers()) {
+  const Connection held;
+  if (!held.is_there()) {
     *complaint = "the display " + display_name() + " does not answer";
     return nullptr;
   }

@@ -30,10 +30,17 @@ class FolderSource : public FrameSource {
 
  private:
   static cv::Mat read(const fs::path& file) {
-    const QuietStderr quiet;
-    cv::Mat image = cv::imread(file.string(), cv::IMREAD_COLOR);
+    cv::Mat image = decoded(file);
     if (image.empty()) throw GrabberError(file.string() + ": is not an image that can be read");
     return image;
+  }
+
+  /// Empty when it is none, or says of itself that it is larger than any can be.
+  static cv::Mat decoded(const fs::path& file) try {
+    const QuietStderr quiet;
+    return cv::imread(file.string(), cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    return {};
   }
 
   std::vector<fs::path> files_;

@@ -116,5 +116,16 @@ TEST_F(FlyMissionTest, AFileOfTheUsersOwnInTheFolderIsNotReplaced) {
   EXPECT_EQ(read_text(path("own/layout.yaml")), text);
 }
 
+// Nor taken for the earlier flight's, to be removed by the next.
+TEST_F(FlyMissionTest, NothingByTheNameOfAResultIsReplacedWhereNoFlightWas) {
+  for (const char* name : {"recording.csv", "report.html", "flight.mp4", "flight.csv"}) {
+    const std::string folder = std::string("with-") + name;
+    fs::create_directories(path(folder));
+    temp_.write(folder + "/" + name, "mine");
+    EXPECT_THAT(refusal({"fly", "a13", "--out", path(folder)}), HasSubstr(name));
+    EXPECT_EQ(read_text(path(folder) / name), "mine");
+  }
+}
+
 }  // namespace
 }  // namespace lineservo::apps

@@ -57,6 +57,13 @@ TEST_F(ReportCommandTest, AFlightThatIsNotThatOfTheFolderIsNoneOfIt) {
   EXPECT_EQ(text_of_report(), report);
 }
 
+TEST_F(ReportCommandTest, ATableThatIsNotThatOfTheFlightIsNoneOfIt) {
+  write("flight.csv", "t_s\n0\n");
+  const Ran ran = run({"report", path("flight")});
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_THAT(ran.err, HasSubstr("flight.csv is not that of the flight"));
+}
+
 // Nodes of other names are flown to in the same way to the last bit, and the report's map is another.
 TEST_F(ReportCommandTest, AFloorThatIsNotThatOfTheFlightIsNamed) {
   const std::string report = text_of_report();

@@ -108,11 +108,13 @@ TEST_F(WatchProgram, AChangeOfSizeKeepsWhatCameBefore) {
 
 TEST_F(WatchProgram, AnImageThatCannotBeReadKeepsWhatCameBefore) {
   const std::string source = images({640, 640});
-  std::ofstream(path("images/g.png")) << "no image";
-  const Ran ran = run({"watch", source});
-  EXPECT_EQ(ran.exit_code, 1);
-  EXPECT_THAT(ran.err, HasSubstr("g.png: is not an image that can be read; watched 2 frames until then"));
-  EXPECT_EQ(columns(ran.out, {"frame"}).size(), 3u);
+  for (const char* content : {"no image", "P6\n60000 60000\n255\n"}) {  // the second is too large, it says
+    std::ofstream(path("images/g.png")) << content;
+    const Ran ran = run({"watch", source});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_THAT(ran.err, HasSubstr("g.png: is not an image that can be read; watched 2 frames until then"));
+    EXPECT_EQ(columns(ran.out, {"frame"}).size(), 3u);
+  }
 }
 
 TEST_F(WatchProgram, HeightsFromAFileMustCoverTheFrames) {

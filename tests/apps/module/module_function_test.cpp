@@ -19,11 +19,11 @@ std::string complaint_about(const char* module, const char* symbol) try {
 }
 
 TEST(ModuleFunction, IsThatOfTheModule) {
-  EXPECT_NE(module_symbol("liblineservo_image_codecs.so", "lineservo_encode_png", "codecs"), nullptr);
+  EXPECT_NE(module_symbol("liblineservo_image_codecs.so", "lineservo_encode_image", "codecs"), nullptr);
 }
 
 TEST(ModuleFunction, SaysWhatDoesNotLoadAndWhy) {
-  const std::string no_module = complaint_about("liblineservo_none.so", "lineservo_encode_png");
+  const std::string no_module = complaint_about("liblineservo_none.so", "lineservo_encode_image");
   EXPECT_THAT(no_module, StartsWith("the codecs do not load: "));
   EXPECT_THAT(no_module, HasSubstr("liblineservo_none.so"));
   const std::string no_symbol = complaint_about("liblineservo_image_codecs.so", "lineservo_nothing");
