@@ -46,7 +46,7 @@ TickListener Onlookers::listener() {
 }
 
 void Onlookers::see(const FlightTick& tick) {
-  if (films_ && tick.bgr) film_.add(tick.input.now, *tick.bgr);
+  if (films_) film_.add(tick);
   const ChainOutput output{tick.features, tick.command};
   if (recorder_) recorder_->add(tick.input, tick.bgr, {&output, 1});
   if (video_) video_->add(tick);

@@ -84,7 +84,7 @@ int report(const std::string& name) {
   const Mission mission = prepare(read_config(folder / "config.yaml"));
   end_on_interrupt("report");
   FilmStrip film;
-  const FlownMission flown = fly_mission(mission, {}, film.listener());
+  const FlownMission flown = fly_mission(mission, {}, [&film](const FlightTick& tick) { film.add(tick); });
   if (const auto why = difference(there, json::parse(json_text(to_json(mission.request, flown.summary))))) {
     fmt::print(stderr, "lineservo: {}: {}\n", name, *why);
     return kFailed;

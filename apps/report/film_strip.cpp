@@ -56,10 +56,8 @@ void FilmStrip::thin_out() {
   next_ = pictures_.back().t + period_;
 }
 
-TickListener FilmStrip::listener() {
-  return [this](const FlightTick& tick) {
-    if (tick.bgr) add(tick.input.now, *tick.bgr);
-  };
+void FilmStrip::add(const FlightTick& tick) {
+  if (tick.bgr) add(tick.input.now, *tick.bgr);
 }
 
 std::vector<Thumbnail> FilmStrip::thumbnails() const {

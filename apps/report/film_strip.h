@@ -24,8 +24,8 @@ class FilmStrip {
 
   /// Frames are CV_8UC3 (BGR), their times ascend.
   void add(servo::Time now, const cv::Mat& bgr);
-  /// Of every tick with a frame; as long as the strip lives.
-  TickListener listener();
+  /// The frame of a tick, if it has one.
+  void add(const FlightTick& tick);
   /// Encodes what is kept; as for threads as read_image().
   std::vector<Thumbnail> thumbnails() const;
 

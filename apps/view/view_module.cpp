@@ -12,6 +12,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "apps/view/view_window.h"
 
@@ -72,8 +73,14 @@ bool answers() try { return Connection().is_there(); } catch (const ConnectionBr
   return false;
 }
 
-/// A window of ViSP's with a connection of its own. When that breaks, what ViSP keeps of it is left as it is:
-/// tidying up would talk to the display.
+/// Windows of displays that are gone, as they are, until the program ends: tidying up would talk to the
+/// display.
+std::vector<const void*>& left_behind() {
+  static auto* const windows = new std::vector<const void*>;
+  return *windows;
+}
+
+/// A window of ViSP's with a connection of its own, which may break.
 template <typename Window>
 class Guarded {
  public:
@@ -81,7 +88,11 @@ class Guarded {
   explicit Guarded(Arguments&&... arguments) : window_(new Window(std::forward<Arguments>(arguments)...)) {}
   ~Guarded() {
     use([](Window& window) { vpDisplay::flush(window.shown()); });  // notices when it broke since
-    if (!broke_) delete window_;
+    if (broke_) {
+      left_behind().push_back(window_);
+    } else {
+      delete window_;
+    }
   }
   Guarded(const Guarded&) = delete;
   Guarded& operator=(const Guarded&) = delete;

@@ -90,7 +90,8 @@ TEST(FilmStrip, OfAFlightHasTicksWithAFrameAlone) {
   apply_override(request, "faults.camera_silent.duration_s=1");
   FilmStrip film;
   const FlownMission flown = fly_mission(
-      prepare(request), [](const FlightProgress& progress) { return progress.time_s < 10; }, film.listener());
+      prepare(request), [](const FlightProgress& progress) { return progress.time_s < 10; },
+      [&film](const FlightTick& tick) { film.add(tick); });
   std::set<double> seen_s;
   for (const TickRecord& tick : flown.record.ticks)
     if (tick.has_frame) seen_s.insert(servo::seconds(tick.t));
