@@ -62,7 +62,10 @@ TEST_F(WindowTest, ShowsThePictureAsItIs) {
   const auto window = load_window({"picture", picture.size()}, complaint);
   ASSERT_TRUE(window) << complaint;
   window->show(picture);
-  EXPECT_EQ(cv::norm(display_.screenshot(*display_.window("picture")), picture, cv::NORM_INF), 0.0);
+  const Window shown = *display_.window("picture");
+  // The server draws when it comes to it.
+  EXPECT_TRUE(VirtualDisplay::wait_for(
+      [&] { return cv::norm(display_.screenshot(shown), picture, cv::NORM_INF) == 0.0; }));
   EXPECT_EQ(window->state(), WindowState::open);
 }
 
